@@ -18,6 +18,9 @@ pub struct FileListing {
     pub kind: String,
     /// Its unit, and who says so.
     pub unit: String,
+    /// The same for people, above lengths in millimetres.
+    #[serde(skip)]
+    lengths: String,
     /// The distance within which it says that its points are known.
     pub uncertainty: Option<f64>,
     /// The curves, edges of faces among them.
@@ -146,6 +149,7 @@ pub fn list(name: &str, bytes: &[u8], unit: Option<&LengthUnit>) -> Result<FileL
         file,
         kind: found.kind.to_string(),
         unit: found.unit.to_string(),
+        lengths: found.unit.above_millimetres(),
         uncertainty: found.uncertainty,
         curves,
         faces: faces(&found),
@@ -203,7 +207,7 @@ impl FileListing {
     /// Returns the listing for people.
     #[must_use]
     pub fn text(&self) -> String {
-        let mut text = format!("{}: {}, lengths in {}\n", self.file, self.kind, self.unit);
+        let mut text = format!("{}: {}, {}\n", self.file, self.kind, self.lengths);
         if let Some(uncertainty) = self.uncertainty {
             text.push_str(&format!(
                 "points are known within {uncertainty:e} mm, as the file says\n"

@@ -17,7 +17,9 @@ use loops::sheets_with_openings;
 use plane::{plane_of_net, plane_sheet};
 use std::path::Path;
 use torse_exchange::{CurveShape, FaceBorder, Imported, ImportedFace, SurfaceShape};
-use torse_geometry::prelude::{GeometryError, PiecewiseRail, Point, Rail, Sheet, SweptEdge};
+use torse_geometry::prelude::{
+    GeometryError, PiecewiseRail, Point, Rail, RailCurve, Sheet, SweptEdge,
+};
 use torse_geometry::vector::{cross, dot, norm, sub};
 use torse_geometry::{AffineMap, Coordinate, Rational};
 
@@ -59,8 +61,9 @@ pub fn design_of_faces(path: &str, imported: &Imported) -> Result<Design, Design
         patches: Vec::new(),
         chains: Vec::new(),
         notes: vec![format!(
-            "{path}: {}, lengths in {}",
-            imported.kind, imported.unit
+            "{path}: {}, {}",
+            imported.kind,
+            imported.unit.above_millimetres()
         )],
         left_out: Vec::new(),
         surfaces: Vec::new(),
@@ -226,7 +229,11 @@ fn sheets(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String
             let own = own_rails(&face.surface).map_err(words)?;
             let [first, second] = match own {
                 // The surface says itself between which curves its rulings run.
-                Some(own) => untrimmed([first, second], own, tolerance)?,
+                Some(own) => match crossed(&own).map_err(words)? {
+                    Some(others) => untrimmed(&[&first, &second], own, tolerance)
+                        .or_else(|_| untrimmed(&[&first, &second], others, tolerance))?,
+                    None => untrimmed(&[&first, &second], own, tolerance)?,
+                },
                 None => [first, second],
             };
             let closed = is_closed(&first, tolerance).map_err(words)?
@@ -460,9 +467,27 @@ fn own_rails(surface: &SurfaceShape) -> Result<Option<[PiecewiseRail; 2]>, Geome
     }
 }
 
+/// Returns the other two curves between which the rulings of a surface run as well, where both of these are straight: those from
+/// start to start and from end to end.
+fn crossed(own: &[PiecewiseRail; 2]) -> Result<Option<[PiecewiseRail; 2]>, GeometryError> {
+    for rail in own {
+        let straight = rail.single()?.is_some_and(
+            |rail| matches!(rail.curve(), RailCurve::Plain(curve) if curve.degree() == 1),
+        );
+        if !straight {
+            return Ok(None);
+        }
+    }
+    let side = |x: f64| -> Result<PiecewiseRail, GeometryError> {
+        let ends = [own[0].point(x)?, own[1].point(x)?];
+        Ok(PiecewiseRail::from(Rail::bezier(&ends)?))
+    };
+    Ok(Some([side(0.0)?, side(1.0)?]))
+}
+
 /// Returns the curves of the surface, if the edges are these curves: else the face is trimmed.
 fn untrimmed(
-    edges: [PiecewiseRail; 2],
+    edges: &[&PiecewiseRail; 2],
     own: [PiecewiseRail; 2],
     tolerance: f64,
 ) -> Result<[PiecewiseRail; 2], String> {
@@ -483,7 +508,7 @@ fn untrimmed(
     let mut found = false;
     for [p, q] in [[&own[0], &own[1]], [&turned[0], &turned[1]]] {
         for [p, q] in [[p, q], [q, p]] {
-            found = found || (same(&edges[0], p)? && same(&edges[1], q)?);
+            found = found || (same(edges[0], p)? && same(edges[1], q)?);
         }
     }
     if found {

@@ -133,7 +133,8 @@ impl<'f> Imports<'f> {
                 };
                 self.notes.push(format!(
                     "{path}: {}, lengths in {}{passed}",
-                    imported.kind, imported.unit
+                    imported.kind,
+                    imported.unit.words()
                 ));
             }
             self.read.insert(key.clone(), read);

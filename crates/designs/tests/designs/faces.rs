@@ -1,5 +1,6 @@
 //! Faces of files of other programs: judged, and unrolled where they have rulings between two edges.
 
+use crate::step_text::StepText;
 use std::path::{Path, PathBuf};
 use torse_designs::audit::FaceAudit;
 use torse_designs::inspect::{Assurance, inspect};
@@ -334,4 +335,51 @@ fn a_face_whose_border_is_not_read_has_no_pattern() {
         refused.contains("a part of its border is not read"),
         "{refused}"
     );
+}
+
+#[test]
+fn a_bilinear_face_is_unrolled_whichever_of_its_edges_comes_first() {
+    let corners = [
+        [0.0, 0.0, 0.0],
+        [0.0, 500.0, 1.0],
+        [510.0, 500.0, 1.001],
+        [500.0, 0.0, 0.0],
+    ];
+    for first in 0..4 {
+        let mut text = StepText::new();
+        let points = corners.map(|at| text.point(at));
+        let [a, b, d, c] = points;
+        let surface = text.entity(&format!(
+            "B_SPLINE_SURFACE_WITH_KNOTS('',1,1,((#{a},#{b}),(#{c},#{d})),.UNSPECIFIED.,.F.,.F.,.F.,(2,2),(2,2),(0.,1.),(0.,1.),.UNSPECIFIED.)"
+        ));
+        let mut turned = corners;
+        turned.rotate_left(first);
+        let border = text.polygon(&turned);
+        text.face("sheet", surface, &[border]);
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("sheet.step");
+        std::fs::write(&path, text.finish()).unwrap();
+        let design = load(&path).unwrap();
+        assert!(design.left_out.is_empty(), "{first}: {:?}", design.left_out);
+        let demand = Demand {
+            allow_strain: 0.01,
+            ..Demand::default()
+        };
+        let made = parts(&design, &unroll(&design, &demand).unwrap()).unwrap();
+        let area: f64 = made.iter().map(|part| part.area()).sum();
+        assert!((area - 252_500.505).abs() < 0.01, "{first}: {area}");
+    }
+}
+
+#[test]
+fn a_listing_says_that_its_lengths_are_in_millimetres_whatever_the_file_has() {
+    let table = "x [in],y,z\n0,0,0\n3,4,0\n";
+    let found = list("sheer.csv", table.as_bytes(), None).unwrap();
+    assert_eq!(found.unit, "in, stated by the file");
+    let text = found.text();
+    assert!(
+        text.contains("lengths of the file in inches, stated by the file; lengths below in mm"),
+        "{text}"
+    );
+    assert!(text.contains("127"), "{text}");
 }

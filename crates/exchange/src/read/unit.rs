@@ -82,6 +82,14 @@ impl LengthUnit {
     }
 }
 
+/// The units whose names would read badly in a sentence, and their words there.
+const WORDS: [(&str, &str); 4] = [
+    ("in", "inches"),
+    ("ft", "feet"),
+    ("yd", "yards"),
+    ("mi", "miles"),
+];
+
 /// Where the unit of a file comes from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum UnitSource {
@@ -100,6 +108,42 @@ impl UnitSource {
         match self {
             Self::Stated(unit) | Self::Given(unit) => unit.clone(),
             Self::Assumed => LengthUnit::millimetre(),
+        }
+    }
+
+    /// What stands above lengths that are given in millimetres, whatever the file has.
+    ///
+    /// ```
+    /// use torse_exchange::{LengthUnit, UnitSource};
+    /// let inches = LengthUnit::named("in").ok_or("no unit")?;
+    /// assert_eq!(
+    ///     UnitSource::Stated(inches).above_millimetres(),
+    ///     "lengths of the file in inches, stated by the file; lengths below in mm"
+    /// );
+    /// assert_eq!(UnitSource::Assumed.above_millimetres(), "lengths in mm, assumed: the file states no unit");
+    /// # Ok::<(), &str>(())
+    /// ```
+    #[must_use]
+    pub fn above_millimetres(&self) -> String {
+        if *self.unit().millimetres() == Rational::from(1) {
+            format!("lengths in {self}")
+        } else {
+            format!(
+                "lengths of the file in {}; lengths below in mm",
+                self.words()
+            )
+        }
+    }
+
+    /// The unit as a word of a sentence, and who says so: `inches, stated by the file`.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let unit = self.unit();
+        let known = WORDS.iter().find(|(name, _)| *name == unit.name);
+        let source = self.to_string();
+        match (known, source.strip_prefix(&unit.name)) {
+            (Some((_, words)), Some(rest)) => format!("{words}{rest}"),
+            _ => source,
         }
     }
 
