@@ -1,6 +1,7 @@
 //! Rule by rule: what is found, and where.
 
 use super::contours::{Contour, LooseEnd, contours, least_width};
+use super::necks::necks;
 use super::pairs::{Chord, chords, for_pairs, meetings, shared};
 use super::rules::{Check, LintRule, LintRules};
 use super::trace::{Traced, traced};
@@ -111,6 +112,7 @@ impl<'d> Judge<'d> {
                     Some(_) => RuleOutcome::Broken,
                 },
                 faults: count,
+                not_looked_at: rule.check.not_looked_at(),
                 source: rule.source.clone(),
                 url: rule.url.clone(),
             });
@@ -395,7 +397,21 @@ impl<'d> Judge<'d> {
                 ),
             )
         });
-        let faults: Vec<Finding> = faults.collect();
+        let necks = necks(&self.chords, least, self.rules.joined_within);
+        let all = all && necks.is_some();
+        let narrow = necks.into_iter().flatten().map(|(contour, neck)| Finding {
+            measured: Some(neck.width),
+            ..Finding::at(
+                neck.at,
+                self.place_of(contour),
+                format!(
+                    "a neck of {} mm between two sides of one contour: {} mm at least",
+                    number(neck.width),
+                    number(least)
+                ),
+            )
+        });
+        let faults: Vec<Finding> = faults.chain(narrow).collect();
         (all || !faults.is_empty()).then_some(faults)
     }
 

@@ -5,6 +5,7 @@
 
 mod contours;
 mod judge;
+mod necks;
 mod pairs;
 mod rules;
 mod trace;
@@ -69,6 +70,8 @@ pub struct RuleRow {
     pub outcome: RuleOutcome,
     /// At how many places the file breaks it.
     pub faults: usize,
+    /// What the rule is about too, and the check does not look at.
+    pub not_looked_at: Option<&'static str>,
     /// Who publishes the rule, and where.
     pub source: String,
     /// Where it is published.
@@ -83,6 +86,9 @@ pub struct LintReport {
     pub file: String,
     /// The unit, and who says so.
     pub unit: String,
+    /// The same for people, above lengths in millimetres.
+    #[serde(skip)]
+    lengths: String,
     /// How many closed contours are cut.
     pub contours: usize,
     /// Width and height of the box around them.
@@ -116,8 +122,8 @@ impl LintReport {
         let mut text = wrapped(
             &format!("{}: ", self.file),
             &format!(
-                "{} closed contour{plural}{size}; lengths in {}",
-                self.contours, self.unit
+                "{} closed contour{plural}{size}; {}",
+                self.contours, self.lengths
             ),
         );
         let rows: Vec<Vec<String>> = self
@@ -125,7 +131,10 @@ impl LintReport {
             .iter()
             .map(|rule| {
                 let outcome = match rule.outcome {
-                    RuleOutcome::Kept => "kept".to_owned(),
+                    RuleOutcome::Kept => match rule.not_looked_at {
+                        Some(rest) => format!("kept; {rest} not looked at"),
+                        None => "kept".to_owned(),
+                    },
                     RuleOutcome::Broken => format!("BROKEN {}", rule.faults),
                     RuleOutcome::NotJudged => "not judged".to_owned(),
                 };
@@ -205,6 +214,7 @@ pub fn lint(
     Ok(LintReport {
         file: name.to_owned(),
         unit: found.unit.to_string(),
+        lengths: found.unit.above_millimetres(),
         contours: judge.contours.len(),
         size: judge.size(),
         rules: rows,

@@ -22,7 +22,7 @@ pub enum Check {
     OnePart,
     /// How wide openings are.
     Hole,
-    /// How far contours are from each other.
+    /// How far contours are from each other, and across material from themselves.
     Web,
     /// The radii of arcs.
     Radius,
@@ -35,6 +35,15 @@ pub enum Check {
 }
 
 impl Check {
+    /// Returns what its rules are about too, and is not looked at.
+    #[must_use]
+    pub fn not_looked_at(self) -> Option<&'static str> {
+        match self {
+            Self::Web => Some("slits"),
+            _ => None,
+        }
+    }
+
     /// Returns the name in rule files.
     #[must_use]
     pub fn name(self) -> &'static str {

@@ -587,3 +587,98 @@ fn a_curve_that_leaves_the_plane_of_the_drawing_is_refused() {
     );
     assert!(judged(7.0).is_ok());
 }
+
+#[test]
+fn a_neck_of_one_contour_is_too_narrow_a_web_and_corners_and_slits_are_no_necks() {
+    let webs = |points: &[[f64; 2]], more: &dyn Fn(&mut Drawing)| {
+        let mut drawing = Drawing::default();
+        drawing.polygon(Layer::Outline, points).unwrap();
+        more(&mut drawing);
+        let report = judged("part.dxf", &dxf(&drawing).unwrap());
+        let faults = report
+            .faults
+            .iter()
+            .filter(|fault| fault.check == Check::Web);
+        let found: Vec<(f64, [f64; 2])> = faults
+            .map(|fault| (fault.measured.unwrap(), fault.at.unwrap()))
+            .collect();
+        (found, report.text())
+    };
+    // Two plates, held together by a neck of 0.2 x 4 mm: both rules of webs are broken there, in the middle between its sides.
+    let neck = [
+        [0.0, 0.0],
+        [40.0, 0.0],
+        [40.0, 19.9],
+        [44.0, 19.9],
+        [44.0, 0.0],
+        [84.0, 0.0],
+        [84.0, 40.0],
+        [44.0, 40.0],
+        [44.0, 20.1],
+        [40.0, 20.1],
+        [40.0, 40.0],
+        [0.0, 40.0],
+    ];
+    let (found, text) = webs(&neck, &|_| ());
+    assert!(found.len() == 2, "{text}");
+    for (width, at) in found {
+        assert!((width - 0.2).abs() < 1e-9, "{text}");
+        assert!(
+            (40.0..=44.0).contains(&at[0]) && (at[1] - 20.0).abs() < 1e-9,
+            "{text}"
+        );
+    }
+    // The same, as an opening: its narrow part is no material.
+    let around = [[-20.0, -20.0], [110.0, -20.0], [110.0, 60.0], [-20.0, 60.0]];
+    let (found, text) = webs(&around, &|drawing| {
+        drawing.polygon(Layer::Outline, &neck).unwrap()
+    });
+    assert!(found.is_empty(), "{text}");
+    assert!(text.contains("kept; slits not looked at"), "{text}");
+    // A sharp corner, and a slit of 0.5 mm.
+    let sharp = [
+        [0.0, 0.0],
+        [80.0, 0.0],
+        [80.0, 40.0],
+        [30.25, 40.0],
+        [30.25, 5.0],
+        [29.75, 5.0],
+        [29.75, 40.0],
+        [5.0, 40.0],
+    ];
+    let (found, text) = webs(&sharp, &|_| ());
+    assert!(found.is_empty(), "{text}");
+    let tip = [[0.0, 0.0], [80.0, 0.0], [80.0, 5.0]];
+    let (found, text) = webs(&tip, &|_| ());
+    assert!(found.is_empty(), "{text}");
+    // Necks between arcs, and a finger.
+    let mut drawing = Drawing::default();
+    let waist = [
+        corner(0.0, 0.0, 0.0),
+        corner(20.0, 0.0, -1.0),
+        corner(40.0, 0.0, 0.0),
+        corner(60.0, 0.0, 0.0),
+        corner(60.0, 20.6, 0.0),
+        corner(40.0, 20.6, -1.0),
+        corner(20.0, 20.6, 0.0),
+        corner(0.0, 20.6, 0.0),
+    ];
+    drawing.path(Layer::Outline, &waist, true).unwrap();
+    let report = judged("waist.dxf", &dxf(&drawing).unwrap());
+    let fault = report
+        .faults
+        .iter()
+        .find(|fault| fault.check == Check::Web)
+        .unwrap();
+    let at = fault.at.unwrap();
+    assert!(
+        (at[0] - 30.0).abs() < 0.5 && (at[1] - 10.3).abs() < 0.1,
+        "{fault:?}"
+    );
+    assert!(
+        fault
+            .measured
+            .is_some_and(|width| (0.6..0.7).contains(&width)),
+        "{fault:?}"
+    );
+}
