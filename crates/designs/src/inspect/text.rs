@@ -216,9 +216,12 @@ fn strips(cover: &SurfaceCover) -> String {
     } else {
         "whether fewer would do was not tried"
     };
+    let (many, covers) = match cover.strips.len() {
+        1 => ("one strip".to_owned(), "covers"),
+        count => (format!("{count} strips"), "cover"),
+    };
     let note = format!(
-        "{} strips along {} cover `{}` within {} mm, proved both ways; {fewer}. Fold angles are measured",
-        cover.strips.len(),
+        "{many} along {} {covers} `{}` within {} mm, proved both ways; {fewer}. Fold angles are measured",
         cover.along,
         cover.surface,
         number(cover.within)

@@ -61,6 +61,9 @@ impl MarkedPatch<'_> {
             let apart = libm::hypot(b[0] - a[0], b[1] - a[1]) - their_radius - radius;
             if apart <= 0.0 {
                 let overlap = -apart;
+                if overlap < 5e-5 {
+                    return Err(self.failed(format!("{name} touches {their_name}")));
+                }
                 return Err(self.failed(format!("{name} overlaps {their_name} by {overlap:.4} mm")));
             }
             return Ok(());

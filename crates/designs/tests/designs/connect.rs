@@ -348,3 +348,64 @@ fn polygons_connect_to_circles_out_of_their_middle_and_the_other_way_around() {
     let round = "{ centre = [0, 0, 0], from = [80, 0, 0], axis = [0, 0, 1], angle = 360 }";
     assert_eq!(between(hexagon, round).0, 0);
 }
+
+/// The message and the help of the only mistake of a design.
+fn mistake(text: &str) -> String {
+    match read("x.toml", text) {
+        Ok(_) => panic!("it is read"),
+        Err(error) => format!("{error:?}"),
+    }
+}
+
+#[test]
+fn why_there_is_no_whole_panel_is_told_as_it_is() {
+    let tips = mistake(
+        r#"
+[curves]
+a = { bezier = [[0, 0, 0], [30, 40, 10], [70, 40, 10], [100, 0, 0]] }
+b = { bezier = [[0, 0, 0], [30, -10, 50], [70, -10, 50], [100, 0, 0]] }
+[patches.p]
+connect = ["a", "b"]
+panel = 1
+"#,
+    );
+    assert!(
+        tips.contains("where both curves start or end in one") && !tips.contains("split"),
+        "{tips}"
+    );
+    let straight = mistake(
+        r#"
+[curves]
+a1 = { bezier = [[0, 0, 0], [100, 0, 0]] }
+a2 = { arc = { centre = [100, 50, 0], from = [100, 0, 0], axis = [0, 0, 1], angle = 90 } }
+a = { row = ["a1", "a2"] }
+b1 = { bezier = [[0, 20, 80], [100, 20, 80]] }
+b2 = { arc = { centre = [100, 50, 80], from = [100, 20, 80], axis = [0, 0, 1], angle = 90 } }
+b = { row = ["b1", "b2"] }
+[patches.p]
+connect = ["a", "b"]
+"#,
+    );
+    assert!(
+        straight.contains("two pieces lie in one plane, as parallel straight ones do"),
+        "{straight}"
+    );
+}
+
+#[test]
+fn curves_of_too_many_pieces_are_refused_with_what_to_do() {
+    let through = |y: f64| {
+        let points = (0..34).map(|k| format!("[{}, {y}, {}]", 10 * k, k * k));
+        points.collect::<Vec<_>>().join(", ")
+    };
+    let refused = mistake(&format!(
+        "[curves]\na = {{ through = [{}] }}\nb = {{ through = [{}] }}\n[patches.p]\nconnect = [\"a\", \"b\"]\n",
+        through(0.0),
+        through(100.0)
+    ));
+    assert!(refused.contains("1089"), "{refused}");
+    assert!(
+        refused.contains("curves through fewer points, or parts of them, have fewer"),
+        "{refused}"
+    );
+}

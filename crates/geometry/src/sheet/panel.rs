@@ -154,7 +154,7 @@ impl PanelRails {
         let pairs = rails[0].count().saturating_mul(rails[1].count());
         if pairs > MAX_PANEL_SQUARES {
             return Err(GeometryError::OutOfRange {
-                name: "pairs of pieces of two rails",
+                name: "pairs of a piece of one curve and one of the other (curves through fewer points, or parts of them, have fewer)",
                 value: count(pairs),
                 range: "1, 2, .. 1024",
             });

@@ -25,6 +25,7 @@ pub(super) fn is_whole(pair: &[PiecewiseRail; 2]) -> Result<bool, GeometryError>
 pub(super) fn paneled<'p>(
     reader: &mut Reader,
     place: &Range<usize>,
+    pair: &[PiecewiseRail; 2],
     found: &'p Panels,
 ) -> Option<&'p [Panel]> {
     let listed = |ranges: &[[[f64; 2]; 2]]| -> String {
@@ -50,14 +51,25 @@ pub(super) fn paneled<'p>(
                 0 => String::new(),
                 count => format!("; and {count} more"),
             };
-            let help = format!(
-                "split both curves where a side is parallel to the arc, and connect piece by piece; undecided are {}{more}",
-                listed(&ranges)
-            );
+            let remedy = if meet_at_an_end(pair) {
+                "rulings shrink to a point where both curves start or end in one, and whole panels are not decided there: \
+                 leave `panel` away, or use `ruled`"
+            } else {
+                "split both curves where their tangents are parallel, and connect piece by piece"
+            };
+            let help = format!("{remedy}; undecided are {}{more}", listed(&ranges));
             reader.complain(place, "no whole panel was found between the curves", &help);
         }
     }
     None
+}
+
+/// Returns whether two curves start or end in one point.
+fn meet_at_an_end([first, second]: &[PiecewiseRail; 2]) -> bool {
+    [0.0, 1.0].into_iter().any(|end| {
+        let points = (first.point(end), second.point(end));
+        matches!(points, (Ok(a), Ok(b)) if a == b)
+    })
 }
 
 /// Returns the patches of a panel.
@@ -113,7 +125,7 @@ fn summary(panel: &Panel, number: usize, count: usize) -> String {
     ));
     if panel.folds > 0 {
         text.push_str(&format!(
-            ", {} folds: for fewer, split both curves where a side is parallel to the arc, and connect piece by piece",
+            ", {} folds: for fewer, split both curves where their tangents are parallel, and connect piece by piece",
             panel.folds
         ));
     }

@@ -186,7 +186,7 @@ fn patch(
                 if panel.is_some() || usual {
                     let number = panel.map(|(number, _)| number).unwrap_or(1);
                     let found = accepted(reader, &place, Sheet::panels(&pair[0], &pair[1]))?;
-                    let panels = paneled(reader, &place, &found)?;
+                    let panels = paneled(reader, &place, &pair, &found)?;
                     let whole = match panels.get(number - 1) {
                         Some(panel) => panel,
                         None => {

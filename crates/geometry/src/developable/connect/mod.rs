@@ -440,7 +440,7 @@ fn precision<P: SpaceCurve<f64>, Q: SpaceCurve<f64>>(rails: (&P, &Q)) -> Result<
     }
     if !nonzero {
         return Err(GeometryError::Degenerate {
-            what: "coplanar curves, or one that is a point: every ruling is torsal",
+            what: "curves of which two pieces lie in one plane, as parallel straight ones do, or one is a point: every ruling there is torsal",
             at: Place::Whole,
         });
     }

@@ -23,7 +23,7 @@ pub enum StripDirection {
 pub enum StripError {
     /// The curves have no normal curvature at a place: rulings would run along them.
     #[error(
-        "no strips along asymptotic curves: at u = {}, v = {} the normal curvature of the curve vanishes, and the curves beside it have no rulings across",
+        "no strips along asymptotic curves: at u = {:.6}, v = {:.6} the normal curvature of the curve vanishes, and the curves beside it have no rulings across",
         at[0], at[1]
     )]
     Asymptotic {
