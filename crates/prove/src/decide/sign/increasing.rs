@@ -11,7 +11,9 @@
 //! A point of the domain has the whole interval from 0 in the domain where nothing but numbers bounds the variable: all other
 //! constraints with it are left out.
 
+use super::growth::{at_zero, less};
 use super::proof::{Proof, Shown};
+use super::simple_places::{is_negative_somewhere, variable};
 use super::{Sign, line, taylor, without_equations};
 use crate::decide::domain::{Constraint, Domain};
 use crate::decide::interval::Bound;
@@ -19,7 +21,7 @@ use crate::decide::order::truth;
 use std::cell::Cell;
 use std::sync::Arc;
 use torse_algebra::rational::integer;
-use torse_algebra::{Fraction, Polynomial, Rational, Scalar as _, Symbol};
+use torse_algebra::{Polynomial, Rational, Symbol};
 use torse_syntax::formula::Relation;
 
 /// The longest polynomial that is looked at, and how often one is differentiated.
@@ -43,15 +45,6 @@ pub(super) fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sig
         let (sign, proof) = search.not_negative(&-polynomial, domain, MAX_DEPTH)?;
         Some((sign.negated(), proof))
     })
-}
-
-/// The variable of all exponentials of a polynomial.
-fn variable(polynomial: &Polynomial) -> Option<&Arc<str>> {
-    let is_exponential = |symbol: &&Symbol| matches!(symbol, Symbol::Exp(_));
-    let exponentials = polynomial.symbols().iter().filter(is_exponential);
-    let mut names = exponentials.flat_map(Symbol::names);
-    let first = names.next()?;
-    names.all(|name| name == first).then_some(first)
 }
 
 /// What a search has spent.
@@ -166,62 +159,6 @@ fn rates(polynomial: &Polynomial) -> Vec<Rational> {
     powers.into_iter().map(rate).collect()
 }
 
-/// Whether a polynomial in one variable and its exponentials is negative at a simple place of the domain: it is not worth a search.
-pub(super) fn is_negative_somewhere(polynomial: &Polynomial, domain: &Domain<'_>) -> bool {
-    let Some(name) = variable(polynomial) else {
-        return false;
-    };
-    let own = Symbol::Named(Arc::clone(name));
-    let interval = domain.interval(&own);
-    let places = [-3, -1, 1, 4, 12].map(|quarters| integer(quarters) / integer(4));
-    places.into_iter().any(|place| {
-        let place = Fraction::from(Polynomial::constant(&place));
-        let is_within = |end: Option<&Bound>, relation| {
-            end.is_none_or(|end| {
-                truth(&(place.clone() - end.value.clone()), relation) == Some(true)
-            })
-        };
-        let value = |symbol: &Symbol| match symbol {
-            symbol if *symbol == own => Some(place.clone()),
-            Symbol::Exp(exponent) => {
-                let part = integer(1) / integer(i64::from(exponent.parts()));
-                let power = exponent.powers().first()?.1;
-                let exponent = place.power(i32::from(power)).ok()?.scaled(&part);
-                exponent.exponential().ok()
-            }
-            _ => None,
-        };
-        is_within(interval.lower.as_ref(), Relation::AtLeast)
-            && is_within(interval.upper.as_ref(), Relation::AtMost)
-            && Fraction::from(polynomial.clone())
-                .substituted(value)
-                .is_ok_and(|there| truth(&there, Relation::Less) == Some(true))
-    })
-}
-
-/// `slope - rate*value`.
-fn less(slope: &Polynomial, value: &Polynomial, rate: &Rational) -> Polynomial {
-    slope - &value.scaled(rate)
-}
-
-/// The polynomial where the variable is zero; `None` if a symbol of it depends on the variable and on others.
-fn at_zero(polynomial: &Polynomial, name: &str) -> Option<Polynomial> {
-    let value = |symbol: &Symbol| match symbol {
-        Symbol::Named(_) | Symbol::Sin(..) => Some(Polynomial::zero()),
-        Symbol::Cos(..) => Some(Polynomial::integer(1)),
-        Symbol::Exp(exponent) if exponent.powers().len() == 1 => Some(Polynomial::integer(1)),
-        _ => None,
-    };
-    let mut own = polynomial.symbols().iter().filter(|s| s.depends_on(name));
-    let is_known = own.all(|symbol| value(symbol).is_some());
-    is_known.then(|| {
-        polynomial.substituted(|symbol| match symbol.depends_on(name) {
-            true => value(symbol),
-            false => None,
-        })
-    })
-}
-
 /// A domain around this one that contains the interval from zero to each of its points; none if what else is known of the variable
 /// cannot be left out.
 fn domain_along<'a>(
@@ -262,23 +199,4 @@ fn domain_along<'a>(
         }
     }
     Some(around)
-}
-
-/// Checks that the proofs are about what the polynomial and the variable make.
-pub(super) fn is_made(
-    polynomial: &Polynomial,
-    (variable, rate, order): (&Symbol, &Rational, u32),
-    [start, slope]: &[Proof; 2],
-) -> bool {
-    let Some(name) = variable.names().next() else {
-        return false;
-    };
-    let first = less(&polynomial.derivative(name), polynomial, rate);
-    let own = match order {
-        1 => first,
-        _ if at_zero(&first, name).is_none_or(|p| !p.is_zero()) => return false,
-        _ => less(&first.derivative(name), &first, rate),
-    };
-    at_zero(polynomial, name).is_some_and(|value| value == start.polynomial)
-        && own == slope.polynomial
 }

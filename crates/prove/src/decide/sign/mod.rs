@@ -15,12 +15,14 @@ pub mod coordinates;
 mod even;
 mod failing_point;
 mod farkas;
+mod growth;
 mod increasing;
 mod line;
 mod proof;
 mod prove;
 mod rooted;
 mod samples;
+mod simple_places;
 mod squares;
 mod taylor;
 

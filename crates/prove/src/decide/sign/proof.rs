@@ -1,7 +1,7 @@
 //! Proofs of sign: one certificate, one for each part of the domain, or proofs about factors or coefficients.
 
 use super::certificate::{self, Certificate, CertificateError};
-use super::{Sign, increasing, prove, without_equations};
+use super::{Sign, growth, prove, without_equations};
 use crate::decide::domain::Domain;
 use crate::decide::interval::Bound;
 use crate::decide::value::{plain, plain_symbol, quotient};
@@ -48,7 +48,7 @@ pub enum Shown {
     /// the polynomial is more than zero.
     Even(Symbol, Rational, Box<[Proof; 2]>, bool),
     /// A variable, a number c, how often is differentiated, and proofs about the polynomial where the variable is zero and about what
-    /// c and the derivatives make ([`increasing`]); whether the polynomial is more than zero.
+    /// c and the derivatives make ([`growth`]); whether the polynomial is more than zero.
     Increasing(Symbol, Rational, u32, Box<[Proof; 2]>, bool),
 }
 
@@ -380,7 +380,8 @@ impl Proof {
             Shown::Taylor(_, terms, _) => terms.iter().try_for_each(|(_, own)| own.check(domain)),
             Shown::Even(_, _, own, _) => own.iter().try_for_each(|proof| proof.check(domain)),
             Shown::Increasing(variable, rate, order, own, _) => {
-                if !increasing::is_made(&self.polynomial, (variable, rate, *order), own) {
+                let parts = own.each_ref().map(|proof| &proof.polynomial);
+                if !growth::is_made(&self.polynomial, (variable, rate, *order), parts) {
                     return Err(CertificateError::Equation);
                 }
                 own.iter().try_for_each(|proof| proof.check(domain))

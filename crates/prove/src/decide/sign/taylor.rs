@@ -1,8 +1,8 @@
 //! Signs of polynomials in a variable and its sine, cosine and exponential: partial sums of the series of these take their places,
 //! higher and higher ones, until all coefficients have a sign.
 
-use super::increasing::is_negative_somewhere;
 use super::proof::{Proof, Shown};
+use super::simple_places::is_negative_somewhere;
 use super::{Sign, line, without_equations};
 use crate::decide::domain::Domain;
 use crate::decide::order::truth;

@@ -121,8 +121,7 @@ fn a_sum_that_hypotheses_keep_from_zero_divides() {
     found(numbers, zero, &[False, Misprint, Conditional]);
 
     // A factor of a sum that is never zero is never zero, whatever is eliminated.
-    let numbers =
-        "[symbols]\nx = {}\ny = {}\na = {}\nb = { in = '[0, 1]' }\nw = { in = '[0, inf)' }\nm = { integer = '1..3' }\n";
+    let numbers = "[symbols]\nx = {}\ny = {}\na = {}\nb = { in = '[0, 1]' }\nw = { in = '[0, inf)' }\nm = { integer = '1..3' }\n";
     for (right, verdict) in [
         ("b + 3/2", Holds),
         ("-b - 3", Holds),
