@@ -48,7 +48,7 @@ pub enum Shown {
     /// the polynomial is more than zero.
     Even(Symbol, Rational, Box<[Proof; 2]>, bool),
     /// A variable, a number c, how often is differentiated, and proofs about the polynomial where the variable is zero and about what
-    /// c and the derivatives make ([`growth`]); whether the polynomial is more than zero.
+    /// c and the derivatives make; whether the polynomial is more than zero.
     Increasing(Symbol, Rational, u32, Box<[Proof; 2]>, bool),
 }
 
