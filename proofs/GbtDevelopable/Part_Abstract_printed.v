@@ -25,9 +25,7 @@ Definition profile (u : R) : list R :=
   foot (bernstein_family u) (vDerive 4 (fun u => bernstein_family u) 1 u).
 Definition statement : Prop :=
 forall (u : R),
-  0 <= u <= 1 ->
   ~ (forall (u : R),
-  0 <= u <= 1 ->
   dot (direction (bernstein_family u) (vDerive 4 (fun u => bernstein_family u) 1 u)) (direction (bernstein_family u) (vDerive 4 (fun u => bernstein_family u) 1 u)) <> 0 ->
   entry (profile u) 1 ^ 2 + entry (profile u) 2 ^ 2 = 1 /\ entry (profile u) 3 = 0).
 End abs_conics_planes.
@@ -44,14 +42,7 @@ forall (p0'1 p0'2 p0'3 : R) (p1'1 p1'2 p1'3 : R) (p2'1 p2'2 p2'3 : R) (u : R),
   let p0 := [p0'1; p0'2; p0'3] in
   let p1 := [p1'1; p1'2; p1'3] in
   let p2 := [p2'1; p2'2; p2'3] in
-  0 <= u <= 1 ->
   Derive_n (fun u => dot (points p0 p1 p2 u) (points p0 p1 p2 u)) 4 u = 24 * dot p2 p2.
-Definition instance : Prop :=
-exists (p0'1 p0'2 p0'3 : R) (p1'1 p1'2 p1'3 : R) (p2'1 p2'2 p2'3 : R) (u : R),
-  let p0 := [p0'1; p0'2; p0'3] in
-  let p1 := [p1'1; p1'2; p1'3] in
-  let p2 := [p2'1; p2'2; p2'3] in
-  0 <= u <= 1.
 End abs_conics_points.
 
 Module abs_4d_factor.

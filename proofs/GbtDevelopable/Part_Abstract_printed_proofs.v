@@ -13,8 +13,6 @@ Module abs_conics_points.
 Import GbtDevelopable.Part_Abstract_printed.abs_conics_points.
 Theorem proved : statement.
 Proof. follows GbtDevelopable.Part_Abstract_proofs.abs_conics_points.proved. Qed.
-Theorem met : instance.
-Proof. follows GbtDevelopable.Part_Abstract_proofs.abs_conics_points.met. Qed.
 End abs_conics_points.
 
 Module abs_4d_factor.

@@ -14,8 +14,6 @@ Module abs_conics_points.
 Import GbtDevelopable.Part_Abstract.abs_conics_points.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement points]; identity. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance points]; first [(exists 2, 3, 4, 5, 6, 7, 8, 9, 10, (1 / 3); met) | (exists 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); met) | (exists 13, 8, 8, 6, 8, 7, 9, 7, 7, (1 / 3); met) | (exists 7, 7, 2, 7, 7, 2, 7, 7, 2, (1 / 3); met) | (exists 1, 0, 0, 0, 1, 0, 0, 0, 1, (1 / 3); met)]. Qed.
 End abs_conics_points.
 
 Module abs_4d_factor.

@@ -5,20 +5,107 @@ Open Scope R_scope.
 Module Definitions.
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
-  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
-Definition ratio (gamma : R) (l : Z) (mu2 : R) (mu3 : R) : R :=
-  gamma * (2 * (IZR l - 2) + PI * (1 + mu3)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : R :=
   sum 0%Z l (fun i => g (IZR x) mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition ratio (gamma : R) (l : Z) (mu2 : R) (mu3 : R) : R :=
+  gamma * (2 * (IZR l - 2) + PI * (1 + mu3)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 Definition H2_ (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition N2 (P2 : Z -> R) (l : Z) (mu3 : R) (nu3 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu3 nu3 i l * P2 i).
 End Definitions.
 Import Definitions.
+
+Module intro_gk_by_the_printed_conditions.
+(* gbt-developable/intro-gk.by the printed conditions, Sect. 1, list of contributions, third item
+   printed: The complex computer-based developable surfaces using GBT-Bézier patches are composed by G^k (k = 1, 2, 3) continuity conditions.
+   read as: The compositions are made with (5.12), the strongest of the printed conditions with γ = 1.
+   stated: H2'(0) == H1'(1) and H2''(0) == H1''(1) and H2'''(0) == H1'''(1) *)
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition farin_boehm (P1 : Z -> R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
+  P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (2 * PI ^ 2 * nu1 + c k l mu2 nu1 * (cl l mu2 + 2 * PI ^ 2 * mu2)) * (P1 k - P1 (k - 1)%Z)).
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  P2 0%Z = P1 k ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  P2 1%Z = P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) ->
+  (0 <= 2 <= l)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  P2 2%Z = farin_boehm P1 k l mu1 mu2 nu1 nu2 ->
+  (let x := 0%Z in Derive_n (fun x_ => H2 P2 l mu2 nu2 x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => H1 P1 k mu1 nu1 x__) 1 (IZR x_)) /\ (let x__ := 0%Z in Derive_n (fun x___ => H2 P2 l mu2 nu2 x___) 2 (IZR x__)) = (let x___ := 1%Z in Derive_n (fun x____ => H1 P1 k mu1 nu1 x____) 2 (IZR x___)) /\ (let x____ := 0%Z in Derive_n (fun x_____ => H2 P2 l mu2 nu2 x_____) 3 (IZR x____)) = (let x_____ := 1%Z in Derive_n (fun x______ => H1 P1 k mu1 nu1 x______) 3 (IZR x_____)).
+End intro_gk_by_the_printed_conditions.
+
+Module intro_gk_there_are_such_compositions.
+(* gbt-developable/intro-gk.there are such compositions, Sect. 1, list of contributions, third item
+   printed: The complex computer-based developable surfaces using GBT-Bézier patches are composed by G^k (k = 1, 2, 3) continuity conditions.
+   read as: Such compositions can be made: exhibited for every first family, with one of order 3 and vanishing shape parameters for the second.
+   stated: next(0) == H1(1) and next'(0) == H1'(1) and next''(0) == H1''(1) and next'''(0) == H1'''(1) *)
+Definition N0 (P1 : Z -> R) (k : Z) : R :=
+  P1 k.
+Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition N1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) : R :=
+  ((let x := 1%Z in Derive_n (fun x_ => H1 P1 k mu1 nu1 x_) 1 (IZR x)) - (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 0%Z 3%Z) 1 (IZR x_)) * N0 P1 k) / (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 1%Z 3%Z) 1 (IZR x_)).
+Definition N2 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) : R :=
+  ((let x := 1%Z in Derive_n (fun x_ => H1 P1 k mu1 nu1 x_) 2 (IZR x)) - (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 0%Z 3%Z) 2 (IZR x_)) * N0 P1 k - (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 1%Z 3%Z) 2 (IZR x_)) * N1 P1 k mu1 nu1) / (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 2%Z 3%Z) 2 (IZR x_)).
+Definition N3 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) : R :=
+  ((let x := 1%Z in Derive_n (fun x_ => H1 P1 k mu1 nu1 x_) 3 (IZR x)) - (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 0%Z 3%Z) 3 (IZR x_)) * N0 P1 k - (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 1%Z 3%Z) 3 (IZR x_)) * N1 P1 k mu1 nu1 - (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 2%Z 3%Z) 3 (IZR x_)) * N2 P1 k mu1 nu1) / (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 3%Z 3%Z) 3 (IZR x_)).
+Definition next (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  g (IZR x) 0 0 0%Z 3%Z * N0 P1 k + g (IZR x) 0 0 1%Z 3%Z * N1 P1 k mu1 nu1 + g (IZR x) 0 0 2%Z 3%Z * N2 P1 k mu1 nu1 + g (IZR x) 0 0 3%Z 3%Z * N3 P1 k mu1 nu1.
+Definition H1_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : R :=
+  sum 0%Z k (fun i => g (IZR x) mu1 nu1 i k * P1 i).
+Definition next_ (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  g x 0 0 0%Z 3%Z * N0 P1 k + g x 0 0 1%Z 3%Z * N1 P1 k mu1 nu1 + g x 0 0 2%Z 3%Z * N2 P1 k mu1 nu1 + g x 0 0 3%Z 3%Z * N3 P1 k mu1 nu1.
+Definition statement : Prop :=
+forall (k : Z) (P1 : Z -> R) (mu1 : R) (nu1 : R),
+  (2 <= k)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (0 <= k <= k)%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => g x_ 0 0 1%Z 3%Z) 1 (IZR x)) <> 0 ->
+  (let x := 0%Z in Derive_n (fun x_ => g x_ 0 0 2%Z 3%Z) 2 (IZR x)) <> 0 ->
+  (let x := 0%Z in Derive_n (fun x_ => g x_ 0 0 3%Z 3%Z) 3 (IZR x)) <> 0 ->
+  (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 1%Z 3%Z) 1 (IZR x_)) <> 0 ->
+  (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 2%Z 3%Z) 2 (IZR x_)) <> 0 ->
+  (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 3%Z 3%Z) 3 (IZR x_)) <> 0 ->
+  next P1 k mu1 nu1 0%Z = H1_ P1 k mu1 nu1 1%Z /\ (let x := 0%Z in Derive_n (fun x_ => next_ P1 k mu1 nu1 x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => H1 P1 k mu1 nu1 x__) 1 (IZR x_)) /\ (let x__ := 0%Z in Derive_n (fun x___ => next_ P1 k mu1 nu1 x___) 2 (IZR x__)) = (let x___ := 1%Z in Derive_n (fun x____ => H1 P1 k mu1 nu1 x____) 2 (IZR x___)) /\ (let x____ := 0%Z in Derive_n (fun x_____ => next_ P1 k mu1 nu1 x_____) 3 (IZR x____)) = (let x_____ := 1%Z in Derive_n (fun x______ => H1 P1 k mu1 nu1 x______) 3 (IZR x_____)).
+Definition instance : Prop :=
+exists (k : Z) (P1 : Z -> R) (mu1 : R) (nu1 : R),
+  (2 <= k)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (0 <= k <= k)%Z /\
+  (let x := 0%Z in Derive_n (fun x_ => g x_ 0 0 1%Z 3%Z) 1 (IZR x)) <> 0 /\
+  (let x := 0%Z in Derive_n (fun x_ => g x_ 0 0 2%Z 3%Z) 2 (IZR x)) <> 0 /\
+  (let x := 0%Z in Derive_n (fun x_ => g x_ 0 0 3%Z 3%Z) 3 (IZR x)) <> 0 /\
+  (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 1%Z 3%Z) 1 (IZR x_)) <> 0 /\
+  (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 2%Z 3%Z) 2 (IZR x_)) <> 0 /\
+  (let x_ := 0%Z in Derive_n (fun x__ => g x__ 0 0 3%Z 3%Z) 3 (IZR x_)) <> 0.
+End intro_gk_there_are_such_compositions.
 
 Module intro_continuity_free_a.
 (* gbt-developable/intro-continuity-free.a, Sect. 1, list of contributions, last item, for the smooth connection (5.5)
@@ -122,6 +209,7 @@ forall (A : Z -> R) (B : Z -> R) (t : R),
   F2 B 0%Z = F1 A 1%Z ->
   (let x := 0%Z in Derive_n (fun x_ => F2_ B x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => F1_ A x__) 1 (IZR x_)) ->
   (let x__ := 0%Z in Derive_n (fun x___ => F2_ B x___) 2 (IZR x__)) = (let x___ := 1%Z in Derive_n (fun x____ => F1_ A x____) 2 (IZR x___)) ->
+  19 / 20 <= t /\ t <= 21 / 20 ->
   N2 B t 0%Z = N1 A t 1%Z /\ (let x____ := 0%Z in Derive_n (fun x_____ => N2_ B t x_____) 1 (IZR x____)) = (let x_____ := 1%Z in Derive_n (fun x______ => N1_ A t x______) 1 (IZR x_____)) /\ (let x______ := 0%Z in Derive_n (fun x_______ => N2_ B t x_______) 2 (IZR x______)) = (let x_______ := 1%Z in Derive_n (fun x________ => N1_ A t x________) 2 (IZR x_______)) /\ - 1 <= inner t /\ inner t <= 1 /\ - 1 <= outer t /\ outer t <= 1 /\ ~ (forall (A : Z -> R) (B : Z -> R) (t : R),
   19 / 20 <= t <= 21 / 20 ->
   F2 B 0%Z = F1 A 1%Z ->
@@ -138,7 +226,8 @@ exists (A : Z -> R) (B : Z -> R) (t : R),
   19 / 20 <= t <= 21 / 20 /\
   F2 B 0%Z = F1 A 1%Z /\
   (let x := 0%Z in Derive_n (fun x_ => F2_ B x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => F1_ A x__) 1 (IZR x_)) /\
-  (let x__ := 0%Z in Derive_n (fun x___ => F2_ B x___) 2 (IZR x__)) = (let x___ := 1%Z in Derive_n (fun x____ => F1_ A x____) 2 (IZR x___)).
+  (let x__ := 0%Z in Derive_n (fun x___ => F2_ B x___) 2 (IZR x__)) = (let x___ := 1%Z in Derive_n (fun x____ => F1_ A x____) 2 (IZR x___)) /\
+  (19 / 20 <= t /\ t <= 21 / 20).
 End intro_continuity_free_b_suitable_values.
 
 Module intro_continuity_free_c_any_values.
@@ -172,6 +261,78 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
   (forall t : R, (let x_________ := 0%Z in Derive_n (fun x__________ => H2_ (update1 (update1 (update1 P2 0%Z (P2_0_of_t t)) 1%Z (P2_1_of_t t)) 2%Z (P2_2_of_t t)) l mu2 nu2 x__________) 2 (IZR x_________)) = gamma ^ 2 * (let x__________ := 1%Z in Derive_n (fun x___________ => H1_ (update1 P1 (k - 2)%Z t) k mu1 nu1 x___________) 2 (IZR x__________)) + lambda * (let x___________ := 1%Z in Derive_n (fun x____________ => H1_ (update1 P1 (k - 2)%Z t) k mu1 nu1 x____________) 1 (IZR x___________))) ->
   [[Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => N2 (update1 (update1 (update1 P2 0%Z (P2_0_of_t t)) 1%Z (P2_1_of_t t)) 2%Z (P2_2_of_t t)) l mu3 nu3 x______) 2 (IZR x_____)) 1 (P1 (k - 2)%Z)]] = mscale (ratio gamma l mu2 mu3 ^ 2) [[Derive_n (fun t_ => let x______ := 1%Z in Derive_n (fun x_______ => H1_ (update1 P1 (k - 2)%Z t_) k mu1 nu1 x_______) 2 (IZR x______)) 1 (P1 (k - 2)%Z)]].
 End intro_continuity_free_c_any_values.
+
+Module intro_contrib_1.
+(* gbt-developable/intro-contrib-1, Sect. 1, list of contributions, first item
+   printed: Construction of GBT-Bézier surface by a new set of GBTB functions with two shape parameters.
+   read as: The family of planes of the surface changes with both shape parameters.
+   stated: fails(D(H(x), mu) == 0) and fails(D(H(x), nu) == 0) *)
+Definition H (Q : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  ~ (forall (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  (forall i : Z, (0 <= i <= k)%Z -> (2 <= k)%Z) ->
+  Derive_n (fun mu_ => H Q k nu mu_ x) 1 mu = 0) /\ ~ (forall (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  (forall i : Z, (0 <= i <= k)%Z -> (2 <= k)%Z) ->
+  Derive_n (fun nu_ => H_ Q k mu nu_ x) 1 nu = 0).
+Definition instance : Prop :=
+exists (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= x <= 1.
+End intro_contrib_1.
+
+Module intro_contrib_2.
+(* gbt-developable/intro-contrib-2, Sect. 1, list of contributions, second item
+   printed: Construction of some computer-based engineering surfaces using GBT-Bézier with shape parameters.
+   read as: The surfaces are those of Sects. 3.2 and 3.3, of one family of planes. The planes of its derivative at the ends, which make the end generators of the first and the end points of the second, change with the shape parameters.
+   stated: fails(D(HT'(0), mu) == 0) and fails(D(HT'(1), nu) == 0) *)
+Definition HT (T : Z -> list R) (k : Z) (nu : R) (mu : R) (x : R) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
+Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
+Definition statement : Prop :=
+forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  ~ (forall (k : Z) (T'1_ T'2_ T'3_ T'4_ : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1_ i0; T'2_ i0; T'3_ i0; T'4_ i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (forall i : Z, (0 <= i <= k)%Z -> (2 <= k)%Z) ->
+  vDerive 4 (fun mu_ => let x := 0%Z in vDerive 4 (fun x_ => HT T k nu mu_ x_) 1 (IZR x)) 1 mu = zeros 4) /\ ~ (forall (k : Z) (T'1__ T'2__ T'3__ T'4__ : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1__ i0; T'2__ i0; T'3__ i0; T'4__ i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (forall i : Z, (0 <= i <= k)%Z -> (2 <= k)%Z) ->
+  vDerive 4 (fun nu_ => let x_ := 1%Z in vDerive 4 (fun x__ => HT_ T k mu nu_ x__) 1 (IZR x_)) 1 nu = zeros 4).
+Definition instance : Prop :=
+exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1.
+End intro_contrib_2.
 
 Module intro_contrib_4.
 (* gbt-developable/intro-contrib-4, Sect. 1, list of contributions, fourth item

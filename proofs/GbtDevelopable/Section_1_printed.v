@@ -5,16 +5,95 @@ Open Scope R_scope.
 Module Definitions.
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
+  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition ratio (gamma : R) (l : Z) (mu2 : R) (mu3 : R) : R :=
   gamma * (2 * (IZR l - 2) + PI * (1 + mu3)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
-Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
-  sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition N2 (P2 : Z -> R) (l : Z) (mu3 : R) (nu3 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu3 nu3 i l * P2 i).
+Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
+  sum 0%Z k (fun i => g x mu nu i k * Q i).
 End Definitions.
 Import Definitions.
+
+Module intro_gk_by_the_printed_conditions.
+(* gbt-developable/intro-gk.by the printed conditions, Sect. 1, list of contributions, third item
+   printed: The complex computer-based developable surfaces using GBT-Bézier patches are composed by G^k (k = 1, 2, 3) continuity conditions.
+   read as: The compositions are made with (5.12), the strongest of the printed conditions with γ = 1.
+   stated: H2'(0) == H1'(1) and H2''(0) == H1''(1) and H2'''(0) == H1'''(1) *)
+Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
+  (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
+Definition cl (l : Z) (mu2 : R) : R :=
+  4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
+Definition ck (k : Z) (nu1 : R) : R :=
+  4 * (IZR k - 2) * (IZR k - 3 + PI * (1 + nu1)).
+Definition farin_boehm (P1 : Z -> R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
+  P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (2 * PI ^ 2 * nu1 + c k l mu2 nu1 * (cl l mu2 + 2 * PI ^ 2 * mu2)) * (P1 k - P1 (k - 1)%Z)).
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  P2 0%Z = P1 k ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  P2 1%Z = P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) ->
+  (0 <= 2 <= l)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  P2 2%Z = farin_boehm P1 k l mu1 mu2 nu1 nu2 ->
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 1 0 = Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 /\ Derive_n (fun x => H2 P2 l mu2 nu2 x) 2 0 = Derive_n (fun x => H1 P1 k mu1 nu1 x) 2 1 /\ Derive_n (fun x => H2 P2 l mu2 nu2 x) 3 0 = Derive_n (fun x => H1 P1 k mu1 nu1 x) 3 1.
+End intro_gk_by_the_printed_conditions.
+
+Module intro_gk_there_are_such_compositions.
+(* gbt-developable/intro-gk.there are such compositions, Sect. 1, list of contributions, third item
+   printed: The complex computer-based developable surfaces using GBT-Bézier patches are composed by G^k (k = 1, 2, 3) continuity conditions.
+   read as: Such compositions can be made: exhibited for every first family, with one of order 3 and vanishing shape parameters for the second.
+   stated: next(0) == H1(1) and next'(0) == H1'(1) and next''(0) == H1''(1) and next'''(0) == H1'''(1) *)
+Definition N0 (P1 : Z -> R) (k : Z) : R :=
+  P1 k.
+Definition N1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) : R :=
+  (Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 - (fun x : R => Derive_n (fun x => g x 0 0 0%Z 3%Z) 1 x) 0 * N0 P1 k) / (fun x : R => Derive_n (fun x => g x 0 0 1%Z 3%Z) 1 x) 0.
+Definition N2 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) : R :=
+  (Derive_n (fun x => H1 P1 k mu1 nu1 x) 2 1 - (fun x : R => Derive_n (fun x => g x 0 0 0%Z 3%Z) 2 x) 0 * N0 P1 k - (fun x : R => Derive_n (fun x => g x 0 0 1%Z 3%Z) 2 x) 0 * N1 P1 k mu1 nu1) / (fun x : R => Derive_n (fun x => g x 0 0 2%Z 3%Z) 2 x) 0.
+Definition N3 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) : R :=
+  (Derive_n (fun x => H1 P1 k mu1 nu1 x) 3 1 - (fun x : R => Derive_n (fun x => g x 0 0 0%Z 3%Z) 3 x) 0 * N0 P1 k - (fun x : R => Derive_n (fun x => g x 0 0 1%Z 3%Z) 3 x) 0 * N1 P1 k mu1 nu1 - (fun x : R => Derive_n (fun x => g x 0 0 2%Z 3%Z) 3 x) 0 * N2 P1 k mu1 nu1) / (fun x : R => Derive_n (fun x => g x 0 0 3%Z 3%Z) 3 x) 0.
+Definition next (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
+  g x 0 0 0%Z 3%Z * N0 P1 k + g x 0 0 1%Z 3%Z * N1 P1 k mu1 nu1 + g x 0 0 2%Z 3%Z * N2 P1 k mu1 nu1 + g x 0 0 3%Z 3%Z * N3 P1 k mu1 nu1.
+Definition statement : Prop :=
+forall (k : Z) (P1 : Z -> R) (mu1 : R) (nu1 : R),
+  (2 <= k)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (0 <= k <= k)%Z ->
+  (fun x : R => Derive_n (fun x => g x 0 0 1%Z 3%Z) 1 x) 0 <> 0 ->
+  (fun x : R => Derive_n (fun x => g x 0 0 2%Z 3%Z) 2 x) 0 <> 0 ->
+  (fun x : R => Derive_n (fun x => g x 0 0 3%Z 3%Z) 3 x) 0 <> 0 ->
+  locally 0 (fun x => (fun x : R => Derive_n (fun x => g x 0 0 1%Z 3%Z) 1 x) 0 <> 0) ->
+  locally 0 (fun x => (fun x : R => Derive_n (fun x => g x 0 0 2%Z 3%Z) 2 x) 0 <> 0) ->
+  locally 0 (fun x => (fun x : R => Derive_n (fun x => g x 0 0 3%Z 3%Z) 3 x) 0 <> 0) ->
+  next P1 k mu1 nu1 0 = H1 P1 k mu1 nu1 1 /\ Derive_n (fun x => next P1 k mu1 nu1 x) 1 0 = Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 /\ Derive_n (fun x => next P1 k mu1 nu1 x) 2 0 = Derive_n (fun x => H1 P1 k mu1 nu1 x) 2 1 /\ Derive_n (fun x => next P1 k mu1 nu1 x) 3 0 = Derive_n (fun x => H1 P1 k mu1 nu1 x) 3 1.
+Definition instance : Prop :=
+exists (k : Z) (P1 : Z -> R) (mu1 : R) (nu1 : R),
+  (2 <= k)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (0 <= k <= k)%Z /\
+  (fun x : R => Derive_n (fun x => g x 0 0 1%Z 3%Z) 1 x) 0 <> 0 /\
+  (fun x : R => Derive_n (fun x => g x 0 0 2%Z 3%Z) 2 x) 0 <> 0 /\
+  (fun x : R => Derive_n (fun x => g x 0 0 3%Z 3%Z) 3 x) 0 <> 0 /\
+  locally 0 (fun x => (fun x : R => Derive_n (fun x => g x 0 0 1%Z 3%Z) 1 x) 0 <> 0) /\
+  locally 0 (fun x => (fun x : R => Derive_n (fun x => g x 0 0 2%Z 3%Z) 2 x) 0 <> 0) /\
+  locally 0 (fun x => (fun x : R => Derive_n (fun x => g x 0 0 3%Z 3%Z) 3 x) 0 <> 0).
+End intro_gk_there_are_such_compositions.
 
 Module intro_continuity_free_a.
 (* gbt-developable/intro-continuity-free.a, Sect. 1, list of contributions, last item, for the smooth connection (5.5)
@@ -106,6 +185,7 @@ forall (A : Z -> R) (B : Z -> R) (t : R),
   F2 B 0 = F1 A 1 ->
   Derive_n (fun x => F2 B x) 1 0 = Derive_n (fun x => F1 A x) 1 1 ->
   Derive_n (fun x => F2 B x) 2 0 = Derive_n (fun x => F1 A x) 2 1 ->
+  19 / 20 <= t /\ t <= 21 / 20 ->
   N2 B t 0 = N1 A t 1 /\ Derive_n (fun x => N2 B t x) 1 0 = Derive_n (fun x => N1 A t x) 1 1 /\ Derive_n (fun x => N2 B t x) 2 0 = Derive_n (fun x => N1 A t x) 2 1 /\ - 1 <= inner t /\ inner t <= 1 /\ - 1 <= outer t /\ outer t <= 1 /\ ~ (forall (A : Z -> R) (B : Z -> R) (t : R),
   19 / 20 <= t <= 21 / 20 ->
   F2 B 0 = F1 A 1 ->
@@ -122,7 +202,8 @@ exists (A : Z -> R) (B : Z -> R) (t : R),
   19 / 20 <= t <= 21 / 20 /\
   F2 B 0 = F1 A 1 /\
   Derive_n (fun x => F2 B x) 1 0 = Derive_n (fun x => F1 A x) 1 1 /\
-  Derive_n (fun x => F2 B x) 2 0 = Derive_n (fun x => F1 A x) 2 1.
+  Derive_n (fun x => F2 B x) 2 0 = Derive_n (fun x => F1 A x) 2 1 /\
+  (19 / 20 <= t /\ t <= 21 / 20).
 End intro_continuity_free_b_suitable_values.
 
 Module intro_continuity_free_c_any_values.
@@ -157,13 +238,77 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
   [[Derive_n (fun t => Derive_n (fun x => N2 (update1 (update1 (update1 P2 0%Z (P2_0_of_t t)) 1%Z (P2_1_of_t t)) 2%Z (P2_2_of_t t)) l mu3 nu3 x) 2 0) 1 (P1 (k - 2)%Z)]] = mscale (ratio gamma l mu2 mu3 ^ 2) [[Derive_n (fun t => Derive_n (fun x => H1 (update1 P1 (k - 2)%Z t) k mu1 nu1 x) 2 1) 1 (P1 (k - 2)%Z)]].
 End intro_continuity_free_c_any_values.
 
+Module intro_contrib_1.
+(* gbt-developable/intro-contrib-1, Sect. 1, list of contributions, first item
+   printed: Construction of GBT-Bézier surface by a new set of GBTB functions with two shape parameters.
+   read as: The family of planes of the surface changes with both shape parameters.
+   stated: fails(D(H(x), mu) == 0) and fails(D(H(x), nu) == 0) *)
+Definition statement : Prop :=
+forall (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  ~ (forall (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  (forall i : Z, (0 <= i <= k)%Z -> (2 <= k)%Z) ->
+  Derive_n (fun mu => H Q k mu nu x) 1 mu = 0) /\ ~ (forall (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  (forall i : Z, (0 <= i <= k)%Z -> (2 <= k)%Z) ->
+  Derive_n (fun nu => H Q k mu nu x) 1 nu = 0).
+Definition instance : Prop :=
+exists (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= x <= 1.
+End intro_contrib_1.
+
+Module intro_contrib_2.
+(* gbt-developable/intro-contrib-2, Sect. 1, list of contributions, second item
+   printed: Construction of some computer-based engineering surfaces using GBT-Bézier with shape parameters.
+   read as: The surfaces are those of Sects. 3.2 and 3.3, of one family of planes. The planes of its derivative at the ends, which make the end generators of the first and the end points of the second, change with the shape parameters.
+   stated: fails(D(HT'(0), mu) == 0) and fails(D(HT'(1), nu) == 0) *)
+Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
+  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
+Definition statement : Prop :=
+forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  ~ (forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (forall i : Z, (0 <= i <= k)%Z -> (2 <= k)%Z) ->
+  vDerive 4 (fun mu => vDerive 4 (fun x => HT T k mu nu x) 1 0) 1 mu = zeros 4) /\ ~ (forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  (forall i : Z, (0 <= i <= k)%Z -> (2 <= k)%Z) ->
+  vDerive 4 (fun nu => vDerive 4 (fun x => HT T k mu nu x) 1 1) 1 nu = zeros 4).
+Definition instance : Prop :=
+exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1.
+End intro_contrib_2.
+
 Module intro_contrib_4.
 (* gbt-developable/intro-contrib-4, Sect. 1, list of contributions, fourth item
    printed: Our described developable GBT-Bézier surfaces take over the most advantageous features of the classical developable Bézier surfaces. Moreover, the shape adjustment property is additional to that of classical developable Bézier surfaces
    read as: The features that carry over to the family of planes (3.1): the functions sum to one, the first and last plane are control planes; and the family changes with both shape parameters.
    stated: sum(i, 0, k, g[i,k](x)) == 1 and H(0) == Q[0] and H(1) == Q[k] and fails(D(H(x), mu) == 0) and fails(D(H(x), nu) == 0) *)
-Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
-  sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->

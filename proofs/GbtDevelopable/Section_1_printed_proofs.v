@@ -3,6 +3,20 @@ From Torse Require Import Defs Follows.
 From GbtDevelopable Require Section_1_printed Section_1_proofs.
 Open Scope R_scope.
 
+Module intro_gk_by_the_printed_conditions.
+Import GbtDevelopable.Section_1_printed.intro_gk_by_the_printed_conditions.
+Theorem refuted : ~ statement.
+Proof. follows GbtDevelopable.Section_1_proofs.intro_gk_by_the_printed_conditions.refuted. Qed.
+End intro_gk_by_the_printed_conditions.
+
+Module intro_gk_there_are_such_compositions.
+Import GbtDevelopable.Section_1_printed.intro_gk_there_are_such_compositions.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_1_proofs.intro_gk_there_are_such_compositions.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_1_proofs.intro_gk_there_are_such_compositions.met. Qed.
+End intro_gk_there_are_such_compositions.
+
 Module intro_continuity_free_a.
 Import GbtDevelopable.Section_1_printed.intro_continuity_free_a.
 Theorem proved : statement.
@@ -22,6 +36,22 @@ Import GbtDevelopable.Section_1_printed.intro_continuity_free_c_any_values.
 Theorem refuted : ~ statement.
 Proof. follows GbtDevelopable.Section_1_proofs.intro_continuity_free_c_any_values.refuted. Qed.
 End intro_continuity_free_c_any_values.
+
+Module intro_contrib_1.
+Import GbtDevelopable.Section_1_printed.intro_contrib_1.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_1_proofs.intro_contrib_1.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_1_proofs.intro_contrib_1.met. Qed.
+End intro_contrib_1.
+
+Module intro_contrib_2.
+Import GbtDevelopable.Section_1_printed.intro_contrib_2.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_1_proofs.intro_contrib_2.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_1_proofs.intro_contrib_2.met. Qed.
+End intro_contrib_2.
 
 Module intro_contrib_4.
 Import GbtDevelopable.Section_1_printed.intro_contrib_4.

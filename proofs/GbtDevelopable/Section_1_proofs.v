@@ -4,6 +4,20 @@ From GbtDevelopable Require Section_1.
 Import GbtDevelopable.Section_1.Definitions.
 Open Scope R_scope.
 
+Module intro_gk_by_the_printed_conditions.
+Import GbtDevelopable.Section_1.intro_gk_by_the_printed_conditions.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement c cl ck farin_boehm g H2 H1] in no; refuting (no ((2))%Z ((3))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then ((1 + PI)/(1 + 2*PI)) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then ((1 + PI)/(1 + 2*PI)) else if (Z.eqb i0 (1))%bool then (1) else if (Z.eqb i0 (2))%bool then ((4 + 13*PI + 2*PI^2)/(4*(1 + 2*PI))) else if (Z.eqb i0 (3))%bool then (0) else 0) (1) (1) (1) (1)). Qed.
+End intro_gk_by_the_printed_conditions.
+
+Module intro_gk_there_are_such_compositions.
+Import GbtDevelopable.Section_1.intro_gk_there_are_such_compositions.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g N0 H1 N1 N2 N3 next H1_ next_]; symbolic. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g N0 H1 N1 N2 N3 next H1_ next_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End intro_gk_there_are_such_compositions.
+
 Module intro_continuity_free_a.
 Import GbtDevelopable.Section_1.intro_continuity_free_a.
 Theorem proved : statement.
@@ -23,6 +37,22 @@ Import GbtDevelopable.Section_1.intro_continuity_free_c_any_values.
 Theorem refuted : ~ statement.
 Proof. intro no; cbv beta zeta delta [statement H1 H2 H1_ H2_ N2 g] in no; specialize (no 3%Z 3%Z (fun _ => 0) (fun _ => 0) 1 0 0 (-1) (-1) (-1) 0 1 (fun _ => 0) (fun _ => 0) (fun t => t)); without_premises no; revert no; lists; match goal with |- [[Derive_n ?f 1 ?x]] = [[_ * Derive_n ?g 1 ?y]] -> _ => rewrite (slope_of_line f (fun t => 0 * t) x 0); [ rewrite (slope_of_line g (fun t => PI ^ 2 / 4 * t) y (PI ^ 2 / 4)); [ unfold ratio; lists; intro C; injection C; clear C; intro C; apply (pow_nonzero PI 2 PI_neq0); match type of C with ?l = ?r => transitivity (4 * r); [ | rewrite <- C ]; field end | intro; ends_of_sums; compute_goal; field | intro; ring ] | intro; ends_of_sums; compute_goal; field | intro; ring ] end. Qed.
 End intro_continuity_free_c_any_values.
+
+Module intro_contrib_1.
+Import GbtDevelopable.Section_1.intro_contrib_1.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H H_]; intros; conjuncts; first [ intro no; first [ refuting (no (2)%Z (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z) ((-1) / 3) ((-1) / 3) (1 / 3)) | refuting (no (2)%Z (fun _ => 3) ((-1) / 3) ((-1) / 3) (1 / 3)) ] | symbolic ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H H_]; first [(exists (2)%Z, (fun _ => 3), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
+End intro_contrib_1.
+
+Module intro_contrib_2.
+Import GbtDevelopable.Section_1.intro_contrib_2.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g HT HT_]; intros; conjuncts; first [ intro no; first [ refuting (no (2)%Z (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z) (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z) ((-1) / 3) ((-1) / 3)) | refuting (no (2)%Z (fun _ => 3) (fun _ => 4) (fun _ => 5) (fun _ => 6) ((-1) / 3) ((-1) / 3)) ] | symbolic ]. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g HT HT_]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 7), (fun _ => 9), (fun _ => 7), (fun _ => 7), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End intro_contrib_2.
 
 Module intro_contrib_4.
 Import GbtDevelopable.Section_1.intro_contrib_4.

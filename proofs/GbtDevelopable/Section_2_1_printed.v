@@ -157,7 +157,6 @@ forall (mu : R) (nu : R) (x : R) (z : R),
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   0 <= x <= 1 ->
-  0 <= z <= 1 ->
   mu = 1 ->
   nu = 1 ->
   g x mu nu 0%Z 2%Z = first mu (sin (PI / 2 * x)) /\ g x mu nu 2%Z 2%Z = last nu (cos (PI / 2 * x)) /\ first mu z = (1 - z) ^ 2 /\ last nu (1 - z) = z ^ 2 /\ 1 - first mu z - last nu (1 - z) = 2 * z * (1 - z).
@@ -166,7 +165,6 @@ exists (mu : R) (nu : R) (x : R) (z : R),
   (-1) <= mu <= 1 /\
   (-1) <= nu <= 1 /\
   0 <= x <= 1 /\
-  0 <= z <= 1 /\
   mu = 1 /\
   nu = 1.
 End thm_1_1_k2_substitution.
@@ -202,7 +200,6 @@ forall (mu : R) (nu : R) (x : R) (z : R),
   (-1) <= mu <= 1 ->
   (-1) <= nu <= 1 ->
   0 <= x <= 1 ->
-  0 <= z <= 1 ->
   mu = 1 ->
   nu = 1 ->
   g x mu nu 0%Z 3%Z = (1 - x) * seed0 mu (sin (PI / 2 * x)) /\ (1 - x) * seed0 mu z = (1 - z) ^ 3.

@@ -64,7 +64,7 @@ Import GbtDevelopable.Section_2_1.thm_1_1_k2_substitution.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement g first last]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance g first last]; first [(exists (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1 / 2), (1 / 2); met) | (exists (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1 / 3), (1 / 3); met) | (exists (1), (1), (1 / 3), (1 / 3); met)]. Qed.
+Proof. cbv beta zeta delta [instance g first last]; first [(exists (1), (1), (1 / 3), (5); met) | (exists (1), (1), (1 / 2), (0); met) | (exists (1), (1), (1 / 3), (6); met) | (exists (1), (1), (1 / 3), (1); met) | (exists (1), (1), (1 / 3), (1); met)]. Qed.
 End thm_1_1_k2_substitution.
 
 Module thm_1_1_k3plus_functions.
@@ -76,7 +76,7 @@ End thm_1_1_k3plus_functions.
 Module thm_1_1_k3plus_substitution.
 Import GbtDevelopable.Section_2_1.thm_1_1_k3plus_substitution.
 Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement g seed0] in no; refuting (no (1) (1) (1) (0)). Qed.
+Proof. intro no; cbv beta zeta delta [statement g seed0] in no; refuting (no (1) (1) (1) (2)). Qed.
 End thm_1_1_k3plus_substitution.
 
 Module thm_1_1_k3plus_letters.

@@ -2,12 +2,6 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module Definitions.
-Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
-  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
-End Definitions.
-Import Definitions.
-
 Module def_2_dim_one_letter.
 (* gbt-developable/def-2.dim.one letter, Sect. 2.2, Definition 2
    printed: For any defined control points R_i ∈ R^k (k = 2, 3; i = 0, 1, ..., k)
@@ -42,6 +36,23 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
   (-1) <= nu <= 1 /\
   0 <= x <= 1.
 End def_2_dim_two_letters.
+
+Module Definitions.
+Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
+  basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.
+End Definitions.
+Import Definitions.
+
+Module def_2_dim.
+(* gbt-developable/def-2.dim, Sect. 2.2, Definition 2
+   printed: For any defined control points R_i ∈ R^k (k = 2, 3; i = 0, 1, ..., k)
+   read as: One letter is one number: the dimension of the space is then the order of the curve, 2 or 3.
+   stated: k <= 3 *)
+Definition statement : Prop :=
+forall (k : Z),
+  (2 <= k)%Z ->
+  IZR k <= 3.
+End def_2_dim.
 
 Module sec_2_2_endpoints.
 (* gbt-developable/sec-2.2.endpoints, Sect. 2.2, last sentence

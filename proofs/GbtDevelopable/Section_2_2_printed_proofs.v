@@ -17,6 +17,12 @@ Theorem met : instance.
 Proof. follows GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.met. Qed.
 End def_2_dim_two_letters.
 
+Module def_2_dim.
+Import GbtDevelopable.Section_2_2_printed.def_2_dim.
+Theorem refuted : ~ statement.
+Proof. follows GbtDevelopable.Section_2_2_proofs.def_2_dim.refuted. Qed.
+End def_2_dim.
+
 Module sec_2_2_endpoints.
 Import GbtDevelopable.Section_2_2_printed.sec_2_2_endpoints.
 Theorem proved : statement.

@@ -18,6 +18,12 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance g HT]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 7), (fun _ => 9), (fun _ => 7), (fun _ => 7), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
 End def_2_dim_two_letters.
 
+Module def_2_dim.
+Import GbtDevelopable.Section_2_2.def_2_dim.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no ((4))%Z). Qed.
+End def_2_dim.
+
 Module sec_2_2_endpoints.
 Import GbtDevelopable.Section_2_2.sec_2_2_endpoints.
 Theorem proved : statement.

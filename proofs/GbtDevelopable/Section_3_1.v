@@ -29,27 +29,27 @@ Definition statement : Prop :=
 forall (A'1 A'2 A'3 A'4 : R) (B'1 B'2 B'3 B'4 : R) (factor : R) (factor2 : R),
   let A := [A'1; A'2; A'3; A'4] in
   let B := [B'1; B'2; B'3; B'4] in
-  0 < factor ->
-  0 < factor2 ->
   dot (direction (vscale factor A) (vscale factor2 B)) (direction (vscale factor A) (vscale factor2 B)) <> 0 ->
   dot (direction A B) (direction A B) <> 0 ->
   dot (normal (vscale factor A)) (normal (vscale factor A)) <> 0 ->
   dot (normal A) (normal A) <> 0 ->
   entry A 1 ^ 2 + entry A 2 ^ 2 + entry A 3 ^ 2 <> 0 ->
   entry A 1 ^ 2 * entry B 2 ^ 2 + entry A 1 ^ 2 * entry B 3 ^ 2 - 2 * entry A 1 * entry A 2 * entry B 1 * entry B 2 - 2 * entry A 1 * entry A 3 * entry B 1 * entry B 3 + entry A 2 ^ 2 * entry B 1 ^ 2 + entry A 2 ^ 2 * entry B 3 ^ 2 - 2 * entry A 2 * entry A 3 * entry B 2 * entry B 3 + entry A 3 ^ 2 * entry B 1 ^ 2 + entry A 3 ^ 2 * entry B 2 ^ 2 <> 0 ->
+  factor <> 0 ->
+  factor2 <> 0 ->
   foot (vscale factor A) (vscale factor2 B) = foot A B /\ cross (direction (vscale factor A) (vscale factor2 B)) (direction A B) = zeros 3 /\ midpoint (vscale factor A) = midpoint A.
 Definition instance : Prop :=
 exists (A'1 A'2 A'3 A'4 : R) (B'1 B'2 B'3 B'4 : R) (factor : R) (factor2 : R),
   let A := [A'1; A'2; A'3; A'4] in
   let B := [B'1; B'2; B'3; B'4] in
-  0 < factor /\
-  0 < factor2 /\
   dot (direction (vscale factor A) (vscale factor2 B)) (direction (vscale factor A) (vscale factor2 B)) <> 0 /\
   dot (direction A B) (direction A B) <> 0 /\
   dot (normal (vscale factor A)) (normal (vscale factor A)) <> 0 /\
   dot (normal A) (normal A) <> 0 /\
   entry A 1 ^ 2 + entry A 2 ^ 2 + entry A 3 ^ 2 <> 0 /\
-  entry A 1 ^ 2 * entry B 2 ^ 2 + entry A 1 ^ 2 * entry B 3 ^ 2 - 2 * entry A 1 * entry A 2 * entry B 1 * entry B 2 - 2 * entry A 1 * entry A 3 * entry B 1 * entry B 3 + entry A 2 ^ 2 * entry B 1 ^ 2 + entry A 2 ^ 2 * entry B 3 ^ 2 - 2 * entry A 2 * entry A 3 * entry B 2 * entry B 3 + entry A 3 ^ 2 * entry B 1 ^ 2 + entry A 3 ^ 2 * entry B 2 ^ 2 <> 0.
+  entry A 1 ^ 2 * entry B 2 ^ 2 + entry A 1 ^ 2 * entry B 3 ^ 2 - 2 * entry A 1 * entry A 2 * entry B 1 * entry B 2 - 2 * entry A 1 * entry A 3 * entry B 1 * entry B 3 + entry A 2 ^ 2 * entry B 1 ^ 2 + entry A 2 ^ 2 * entry B 3 ^ 2 - 2 * entry A 2 * entry A 3 * entry B 2 * entry B 3 + entry A 3 ^ 2 * entry B 1 ^ 2 + entry A 3 ^ 2 * entry B 2 ^ 2 <> 0 /\
+  factor <> 0 /\
+  factor2 <> 0.
 End sec_3_1_space.
 
 Module eq_3_2.
@@ -116,3 +116,40 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
   (-1) <= nu <= 1 /\
   0 <= x <= 1.
 End eq_3_4.
+
+Module sec_3_1_ref.
+(* gbt-developable/sec-3.1.ref, Sect. 3.1, line before (3.4)
+   printed: Thus, equation (3.3) can be demonstrated as {Π_x}: H(x; μ, ν) = {a0(x), a1(x), a2(x), a3(x)}. (3.4)
+   read as: (3.3) by itself says nothing of the family: V is any plane in the place of H(x).
+   stated: V == [sum(i, 0, k, g[i,k](x)*T[i][1]), sum(i, 0, k, g[i,k](x)*T[i][2]), sum(i, 0, k, g[i,k](x)*T[i][3]), sum(i, 0, k, g[i,k](x)*T[i][4])] *)
+Definition statement : Prop :=
+forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (V'1 V'2 V'3 V'4 : R) (mu : R) (nu : R) (x : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  let V := [V'1; V'2; V'3; V'4] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  V = [sum 0%Z k (fun i => g x mu nu i k * entry (T i) 1); sum 0%Z k (fun i => g x mu nu i k * entry (T i) 2); sum 0%Z k (fun i => g x mu nu i k * entry (T i) 3); sum 0%Z k (fun i => g x mu nu i k * entry (T i) 4)].
+End sec_3_1_ref.
+
+Module sec_3_1_ref_true.
+(* gbt-developable/sec-3.1.ref.true, Sect. 3.1, line before (3.4)
+   printed: (3.2), written with the four functions of (3.3), is (3.4).
+   stated: HT(x) == [sum(i, 0, k, g[i,k](x)*T[i][1]), sum(i, 0, k, g[i,k](x)*T[i][2]), sum(i, 0, k, g[i,k](x)*T[i][3]), sum(i, 0, k, g[i,k](x)*T[i][4])] *)
+Definition statement : Prop :=
+forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z ->
+  (-1) <= mu <= 1 ->
+  (-1) <= nu <= 1 ->
+  0 <= x <= 1 ->
+  HT T k mu nu x = [sum 0%Z k (fun i => g x mu nu i k * entry (T i) 1); sum 0%Z k (fun i => g x mu nu i k * entry (T i) 2); sum 0%Z k (fun i => g x mu nu i k * entry (T i) 3); sum 0%Z k (fun i => g x mu nu i k * entry (T i) 4)].
+Definition instance : Prop :=
+exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
+  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
+  (2 <= k)%Z /\
+  (-1) <= mu <= 1 /\
+  (-1) <= nu <= 1 /\
+  0 <= x <= 1.
+End sec_3_1_ref_true.

@@ -34,3 +34,17 @@ Proof. follows GbtDevelopable.Section_3_1_proofs.eq_3_4.proved. Qed.
 Theorem met : instance.
 Proof. follows GbtDevelopable.Section_3_1_proofs.eq_3_4.met. Qed.
 End eq_3_4.
+
+Module sec_3_1_ref.
+Import GbtDevelopable.Section_3_1_printed.sec_3_1_ref.
+Theorem refuted : ~ statement.
+Proof. follows GbtDevelopable.Section_3_1_proofs.sec_3_1_ref.refuted. Qed.
+End sec_3_1_ref.
+
+Module sec_3_1_ref_true.
+Import GbtDevelopable.Section_3_1_printed.sec_3_1_ref_true.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_3_1_proofs.sec_3_1_ref_true.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_3_1_proofs.sec_3_1_ref_true.met. Qed.
+End sec_3_1_ref_true.

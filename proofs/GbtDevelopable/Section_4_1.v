@@ -304,12 +304,12 @@ Definition len_ (mu : R) (nu : Z) : R :=
 Definition statement : Prop :=
 forall (mu : R) (n : R),
   (-1) <= mu <= 1 ->
-  (-1) <= n < 1 ->
+  (-1) <= n <= 1 ->
   len mu n <= len_ mu 1%Z.
 Definition instance : Prop :=
 exists (mu : R) (n : R),
   (-1) <= mu <= 1 /\
-  (-1) <= n < 1.
+  (-1) <= n <= 1.
 End ex_4_1_c1_f_there_at_least.
 
 Module ex_4_1_c2_a.
@@ -432,12 +432,12 @@ Definition len_ (nu : R) (mu : Z) : R :=
   length2 (E1__ nu mu 1%Z) (let x := 1%Z in vDerive 4 (fun x_ => E1___ nu mu x_) 1 (IZR x)).
 Definition statement : Prop :=
 forall (n : R) (nu : R),
-  (-1) <= n < 1 ->
+  (-1) <= n <= 1 ->
   (-1) <= nu <= 1 ->
   len nu n <= len_ nu 1%Z.
 Definition instance : Prop :=
 exists (n : R) (nu : R),
-  (-1) <= n < 1 /\
+  (-1) <= n <= 1 /\
   (-1) <= nu <= 1.
 End ex_4_1_c2_e_there_at_least.
 

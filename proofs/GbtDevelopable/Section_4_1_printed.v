@@ -280,12 +280,12 @@ Module ex_4_1_c1_f_there_at_least.
 Definition statement : Prop :=
 forall (mu : R) (n : R),
   (-1) <= mu <= 1 ->
-  (-1) <= n < 1 ->
+  (-1) <= n <= 1 ->
   (fun nu : R => len mu nu) n <= (fun nu : R => len mu nu) 1.
 Definition instance : Prop :=
 exists (mu : R) (n : R),
   (-1) <= mu <= 1 /\
-  (-1) <= n < 1.
+  (-1) <= n <= 1.
 End ex_4_1_c1_f_there_at_least.
 
 Module ex_4_1_c2_a.
@@ -372,12 +372,12 @@ Definition len (mu : R) (nu : R) : R :=
   length2 (E1 mu nu 1) (vDerive 4 (fun x => E1 mu nu x) 1 1).
 Definition statement : Prop :=
 forall (n : R) (nu : R),
-  (-1) <= n < 1 ->
+  (-1) <= n <= 1 ->
   (-1) <= nu <= 1 ->
   (fun mu : R => len mu nu) n <= (fun mu : R => len mu nu) 1.
 Definition instance : Prop :=
 exists (n : R) (nu : R),
-  (-1) <= n < 1 /\
+  (-1) <= n <= 1 /\
   (-1) <= nu <= 1.
 End ex_4_1_c2_e_there_at_least.
 

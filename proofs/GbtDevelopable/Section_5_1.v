@@ -988,3 +988,70 @@ exists (alpha : R) (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd
   entry d 1 ^ 2 * entry h 2 ^ 2 + entry d 1 ^ 2 * entry h 3 ^ 2 - 2 * entry d 1 * entry d 2 * entry h 1 * entry h 2 - 2 * entry d 1 * entry d 3 * entry h 1 * entry h 3 + entry d 2 ^ 2 * entry h 1 ^ 2 + entry d 2 ^ 2 * entry h 3 ^ 2 - 2 * entry d 2 * entry d 3 * entry h 2 * entry h 3 + entry d 3 ^ 2 * entry h 1 ^ 2 + entry d 3 ^ 2 * entry h 2 ^ 2 <> 0 /\
   rho <> 0.
 End thm_2_true_sheets.
+
+Module thm_2_proof_comprise_families.
+(* gbt-developable/thm-2.proof.comprise.families, Sect. 5.1, end of the proof of Theorem 2
+   printed: Hence equations (5.6) and (5.10) comprise the adequate and essential requirements of G1 smooth connection betwixt two developable GBT-Bézier surfaces of order k and l sequentially.
+   read as: G1 smooth connection is (5.4) for the families, as the proof takes it.
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  IZR l - 2 + PI / 2 * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  P2 0%Z = P1 k /\ P2 1%Z = P1 k + gamma * (IZR k - 2 + PI / 2 * (1 + nu1)) / (IZR l - 2 + PI / 2 * (1 + mu2)) * (P1 k - P1 (k - 1)%Z).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  (0 <= 1 <= l)%Z /\
+  IZR l - 2 + PI / 2 * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0.
+End thm_2_proof_comprise_families.
+
+Module thm_2_proof_comprise_surfaces.
+(* gbt-developable/thm-2.proof.comprise.surfaces, Sect. 5.1, end of the proof of Theorem 2
+   printed: Hence equations (5.6) and (5.10) comprise the adequate and essential requirements of G1 smooth connection betwixt two developable GBT-Bézier surfaces of order k and l sequentially.
+   read as: G1 smooth connection is what it is for surfaces: same generator, same tangent plane along it.
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  1 <= rho <= 2 ->
+  H2 P2 l mu2 nu2 0%Z = rho * H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = rho * gamma * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) + s * H1 P1 k mu1 nu1 1%Z ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  IZR l - 2 + PI / 2 * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  P2 0%Z = P1 k /\ P2 1%Z = P1 k + gamma * (IZR k - 2 + PI / 2 * (1 + nu1)) / (IZR l - 2 + PI / 2 * (1 + mu2)) * (P1 k - P1 (k - 1)%Z).
+End thm_2_proof_comprise_surfaces.

@@ -200,3 +200,17 @@ Proof. follows GbtDevelopable.Section_5_1_proofs.thm_2_true_sheets.proved. Qed.
 Theorem met : instance.
 Proof. follows GbtDevelopable.Section_5_1_proofs.thm_2_true_sheets.met. Qed.
 End thm_2_true_sheets.
+
+Module thm_2_proof_comprise_families.
+Import GbtDevelopable.Section_5_1_printed.thm_2_proof_comprise_families.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_5_1_proofs.thm_2_proof_comprise_families.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_5_1_proofs.thm_2_proof_comprise_families.met. Qed.
+End thm_2_proof_comprise_families.
+
+Module thm_2_proof_comprise_surfaces.
+Import GbtDevelopable.Section_5_1_printed.thm_2_proof_comprise_surfaces.
+Theorem refuted : ~ statement.
+Proof. follows GbtDevelopable.Section_5_1_proofs.thm_2_proof_comprise_surfaces.refuted. Qed.
+End thm_2_proof_comprise_surfaces.

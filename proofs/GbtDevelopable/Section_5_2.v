@@ -595,3 +595,133 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
   cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
   4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
 End thm_3_proofref_true.
+
+Module sec_5_2_must_families.
+(* gbt-developable/sec-5.2.must.families, Sect. 5.2, sentence before (5.11)
+   printed: when two contagious developable GBT-Bézier surfaces in (5.2) want to reach Farin–Boehm G2 continuity, they must satisfy the following requirements
+   read as: The sentence says what Farin–Boehm G2 continuity of the families is: (5.11), which is what (5.12) says of the planes.
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= 2 <= l)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
+  P2 0%Z = P1 k /\ P2 1%Z = P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) /\ P2 2%Z = farin_boehm P1 k l mu1 mu2 nu1 nu2.
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  (0 <= 1 <= l)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z /\
+  (0 <= 2 <= l)%Z /\
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
+  (0 <= k - 2 <= k)%Z /\
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
+End sec_5_2_must_families.
+
+Module sec_5_2_must_surfaces.
+(* gbt-developable/sec-5.2.must.surfaces, Sect. 5.2, sentence before (5.11)
+   printed: when two contagious developable GBT-Bézier surfaces in (5.2) want to reach Farin–Boehm G2 continuity, they must satisfy the following requirements
+   read as: Farin–Boehm G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. A factor rho of all coordinates is enough to refute.
+   stated: H2(0) == H1(1) and H2'(0) == H1'(1) and H2''(0) == H1''(1) *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  1 <= rho <= 2 ->
+  H2 P2 l mu2 nu2 0%Z = rho * H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = rho * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (let x__ := 0%Z in Derive_n (fun x___ => H2_ P2 l mu2 nu2 x___) 2 (IZR x__)) = rho * (let x___ := 1%Z in Derive_n (fun x____ => H1_ P1 k mu1 nu1 x____) 2 (IZR x___)) ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\ (let x____ := 0%Z in Derive_n (fun x_____ => H2_ P2 l mu2 nu2 x_____) 1 (IZR x____)) = (let x_____ := 1%Z in Derive_n (fun x______ => H1_ P1 k mu1 nu1 x______) 1 (IZR x_____)) /\ (let x______ := 0%Z in Derive_n (fun x_______ => H2_ P2 l mu2 nu2 x_______) 2 (IZR x______)) = (let x_______ := 1%Z in Derive_n (fun x________ => H1_ P1 k mu1 nu1 x________) 2 (IZR x_______)).
+End sec_5_2_must_surfaces.
+
+Module thm_3_proof_implies_families.
+(* gbt-developable/thm-3.proof.implies.families, Sect. 5.2, first sentence of the proof of Theorem 3
+   printed: If H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) want to reach Farin–Boehm G2 continuity, it is essential that H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) fulfil G1 continuity at the joint boundary first, which implies (5.13)
+   read as: G1 continuity is the first two equations of (5.11), which determine (5.13).
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2))*(P1[k] - P1[k-1]) *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  P2 0%Z = P1 k /\ P2 1%Z = P1 k + (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)) * (P1 k - P1 (k - 1)%Z).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0%Z = H1 P1 k mu1 nu1 1%Z /\
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  (0 <= 1 <= l)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z.
+End thm_3_proof_implies_families.
+
+Module thm_3_proof_implies_surfaces.
+(* gbt-developable/thm-3.proof.implies.surfaces, Sect. 5.2, first sentence of the proof of Theorem 3
+   printed: If H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) want to reach Farin–Boehm G2 continuity, it is essential that H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) fulfil G1 continuity at the joint boundary first, which implies (5.13)
+   read as: G1 continuity is a matter of the surfaces: same generator, same tangent plane along it. A factor rho of all coordinates is enough to refute.
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2))*(P1[k] - P1[k-1]) *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  1 <= rho <= 2 ->
+  H2 P2 l mu2 nu2 0%Z = rho * H1 P1 k mu1 nu1 1%Z ->
+  (let x := 0%Z in Derive_n (fun x_ => H2_ P2 l mu2 nu2 x_) 1 (IZR x)) = rho * (let x_ := 1%Z in Derive_n (fun x__ => H1_ P1 k mu1 nu1 x__) 1 (IZR x_)) ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  P2 0%Z = P1 k /\ P2 1%Z = P1 k + (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)) * (P1 k - P1 (k - 1)%Z).
+End thm_3_proof_implies_surfaces.

@@ -122,3 +122,31 @@ Proof. follows GbtDevelopable.Section_5_2_proofs.thm_3_proofref_true.proved. Qed
 Theorem met : instance.
 Proof. follows GbtDevelopable.Section_5_2_proofs.thm_3_proofref_true.met. Qed.
 End thm_3_proofref_true.
+
+Module sec_5_2_must_families.
+Import GbtDevelopable.Section_5_2_printed.sec_5_2_must_families.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_5_2_proofs.sec_5_2_must_families.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_5_2_proofs.sec_5_2_must_families.met. Qed.
+End sec_5_2_must_families.
+
+Module sec_5_2_must_surfaces.
+Import GbtDevelopable.Section_5_2_printed.sec_5_2_must_surfaces.
+Theorem refuted : ~ statement.
+Proof. follows GbtDevelopable.Section_5_2_proofs.sec_5_2_must_surfaces.refuted. Qed.
+End sec_5_2_must_surfaces.
+
+Module thm_3_proof_implies_families.
+Import GbtDevelopable.Section_5_2_printed.thm_3_proof_implies_families.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_5_2_proofs.thm_3_proof_implies_families.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_5_2_proofs.thm_3_proof_implies_families.met. Qed.
+End thm_3_proof_implies_families.
+
+Module thm_3_proof_implies_surfaces.
+Import GbtDevelopable.Section_5_2_printed.thm_3_proof_implies_surfaces.
+Theorem refuted : ~ statement.
+Proof. follows GbtDevelopable.Section_5_2_proofs.thm_3_proof_implies_surfaces.refuted. Qed.
+End thm_3_proof_implies_surfaces.

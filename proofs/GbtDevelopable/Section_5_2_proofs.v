@@ -123,3 +123,31 @@ Proof. cbv beta zeta delta [statement c cl ck farin_boehm]; prepared; unknown (P
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance c cl ck farin_boehm]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
 End thm_3_proofref_true.
+
+Module sec_5_2_must_families.
+Import GbtDevelopable.Section_5_2.sec_5_2_must_families.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_ cl c ck farin_boehm]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); unknown (P2 2%Z); put_in; finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_ cl c ck farin_boehm]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End sec_5_2_must_families.
+
+Module sec_5_2_must_surfaces.
+Import GbtDevelopable.Section_5_2.sec_5_2_must_surfaces.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (6) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (2) else if (Z.eqb i0 (1))%bool then (0) else 0) (0) (1) (1) (1) (2)). Qed.
+End sec_5_2_must_surfaces.
+
+Module thm_3_proof_implies_families.
+Import GbtDevelopable.Section_5_2.thm_3_proof_implies_families.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); put_in; finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_3_proof_implies_families.
+
+Module thm_3_proof_implies_surfaces.
+Import GbtDevelopable.Section_5_2.thm_3_proof_implies_surfaces.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (2) else if (Z.eqb i0 (1))%bool then (4) else 0) (0) (1) (1) (0) (2)). Qed.
+End thm_3_proof_implies_surfaces.

@@ -15,6 +15,8 @@ Definition cl (l : Z) (mu2 : R) : R :=
   4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
+Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
+  P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
 Definition kappa2 (l : Z) (mu2 : R) : R :=
   IZR l - 2 + PI / 2 * (1 + mu2).
 Definition kappa1 (k : Z) (nu1 : R) : R :=
@@ -348,8 +350,6 @@ Module thm_4_necessary_families.
    printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
    read as: G2 beta continuity is (5.17). The constant λ of (5.16) is four times that of (5.17).
    stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) and P2[2] == at(beta, lambda, 4*lambda) *)
-Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
-  P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -424,7 +424,7 @@ End thm_4_necessary_surfaces.
 Module thm_4_true_necessary.
 (* gbt-developable/thm-4.true.necessary, Sect. 5.3, Theorem 4
    printed: Two surfaces with the same tangent plane, generator, characteristic point and curvature: what this asks of the control planes, with the constants ρ, γ, s, u and v.
-   stated: P2[0] == rho*P1[k] and P2[1] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] and P2[2] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] + 1/(cl + pi^2*(1 - nu2))*(rho*gamma^2*(ck*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + 2*pi^2*nu1*(P1[k] - P1[k-1])) + 4*v*kappa1*(P1[k] - P1[k-1]) + 4*u*P1[k] + (cl + 2*pi^2*mu2)*(rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k])) *)
+   stated: P2[0] == rho*P1[k] and P2[1] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] and P2[2] == P2[1] + 1/(cl + pi^2*(1 - nu2))*(rho*gamma^2*(ck*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + 2*pi^2*nu1*(P1[k] - P1[k-1])) + 4*v*kappa1*(P1[k] - P1[k-1]) + 4*u*P1[k] + (cl + 2*pi^2*mu2)*(P2[1] - rho*P1[k])) *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R) (u : R) (v : R),
   0 < gamma ->
@@ -447,7 +447,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
   cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
   (0 <= k - 2 <= k)%Z ->
   4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
-  P2 0%Z = rho * P1 k /\ P2 1%Z = rho * P1 k + rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k /\ P2 2%Z = rho * P1 k + rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (rho * gamma ^ 2 * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + 2 * PI ^ 2 * nu1 * (P1 k - P1 (k - 1)%Z)) + 4 * v * kappa1 k nu1 * (P1 k - P1 (k - 1)%Z) + 4 * u * P1 k + (cl l mu2 + 2 * PI ^ 2 * mu2) * (rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k)).
+  P2 0%Z = rho * P1 k /\ P2 1%Z = rho * P1 k + rho * gamma * c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + s / kappa2 l mu2 * P1 k /\ P2 2%Z = P2 1%Z + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (rho * gamma ^ 2 * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + 2 * PI ^ 2 * nu1 * (P1 k - P1 (k - 1)%Z)) + 4 * v * kappa1 k nu1 * (P1 k - P1 (k - 1)%Z) + 4 * u * P1 k + (cl l mu2 + 2 * PI ^ 2 * mu2) * (P2 1%Z - rho * P1 k)).
 Definition instance : Prop :=
 exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R) (u : R) (v : R),
   0 < gamma /\
@@ -586,3 +586,150 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R)
   dot (direction (P d dd h 0) (vDerive 4 (fun e => P d dd h e) 1 0)) (direction (P d dd h 0) (vDerive 4 (fun e => P d dd h e) 1 0)) <> 0 /\
   entry d 1 ^ 2 * entry h 2 ^ 2 + entry d 1 ^ 2 * entry h 3 ^ 2 - 2 * entry d 1 * entry d 2 * entry h 1 * entry h 2 - 2 * entry d 1 * entry d 3 * entry h 1 * entry h 3 + entry d 2 ^ 2 * entry h 1 ^ 2 + entry d 2 ^ 2 * entry h 3 ^ 2 - 2 * entry d 2 * entry d 3 * entry h 2 * entry h 3 + entry d 3 ^ 2 * entry h 1 ^ 2 + entry d 3 ^ 2 * entry h 2 ^ 2 <> 0.
 End thm_4_true_curvature.
+
+Module thm_4_proof_must_families.
+(* gbt-developable/thm-4.proof.must.families, Sect. 5.3, first sentence of the proof of Theorem 4
+   printed: To reach G2 beta continuity among H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2), there are some subsequent requirements which must be satisfied at the common boundary
+   read as: The sentence says what G2 beta continuity of the families is: (5.17), which is what (5.16) says of the planes. The constant λ of (5.16) is four times that of (5.17).
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) and P2[2] == at(beta, lambda, 4*lambda) *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0 = H1 P1 k mu1 nu1 1 ->
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 1 0 = gamma * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 ->
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 2 0 = gamma ^ 2 * Derive_n (fun x => H1 P1 k mu1 nu1 x) 2 1 + lambda * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= 2 <= l)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
+  P2 0%Z = P1 k /\ P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) /\ P2 2%Z = (fun lambda : R => beta P1 gamma k l lambda mu1 mu2 nu1 nu2) (4 * lambda).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0 = H1 P1 k mu1 nu1 1 /\
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 1 0 = gamma * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 /\
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 2 0 = gamma ^ 2 * Derive_n (fun x => H1 P1 k mu1 nu1 x) 2 1 + lambda * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  (0 <= 1 <= l)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z /\
+  (0 <= 2 <= l)%Z /\
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
+  (0 <= k - 2 <= k)%Z /\
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
+End thm_4_proof_must_families.
+
+Module thm_4_proof_must_surfaces.
+(* gbt-developable/thm-4.proof.must.surfaces, Sect. 5.3, first sentence of the proof of Theorem 4
+   printed: To reach G2 beta continuity among H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2), there are some subsequent requirements which must be satisfied at the common boundary
+   read as: G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. The first two lines of (5.17) are stated; a factor rho of all coordinates is enough to refute.
+   stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  1 <= rho <= 2 ->
+  H2 P2 l mu2 nu2 0 = rho * H1 P1 k mu1 nu1 1 ->
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 1 0 = rho * gamma * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 ->
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 2 0 = rho * (gamma ^ 2 * Derive_n (fun x => H1 P1 k mu1 nu1 x) 2 1 + lambda * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1) ->
+  H2 P2 l mu2 nu2 0 = H1 P1 k mu1 nu1 1 /\ Derive_n (fun x => H2 P2 l mu2 nu2 x) 1 0 = gamma * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1.
+End thm_4_proof_must_surfaces.
+
+Module thm_4_proof_establish_families.
+(* gbt-developable/thm-4.proof.establish.families, Sect. 5.3, end of the proof of Theorem 4
+   printed: Hence the three equations of expression (5.16) establish the adequate and essential requirements of G2 beta continuity requirements among two or more developable GBT-Bézier surfaces.
+   read as: G2 beta continuity is (5.17). The constant λ of (5.16) is four times that of (5.17).
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) and P2[2] == at(beta, lambda, 4*lambda) *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  H2 P2 l mu2 nu2 0 = H1 P1 k mu1 nu1 1 ->
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 1 0 = gamma * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 ->
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 2 0 = gamma ^ 2 * Derive_n (fun x => H1 P1 k mu1 nu1 x) 2 1 + lambda * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  (0 <= 2 <= l)%Z ->
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 ->
+  (0 <= k - 2 <= k)%Z ->
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0 ->
+  P2 0%Z = P1 k /\ P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) /\ P2 2%Z = (fun lambda : R => beta P1 gamma k l lambda mu1 mu2 nu1 nu2) (4 * lambda).
+Definition instance : Prop :=
+exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
+  0 < gamma /\
+  (2 <= k)%Z /\
+  (2 <= l)%Z /\
+  (-1) <= mu1 <= 1 /\
+  (-1) <= mu2 <= 1 /\
+  (-1) <= nu1 <= 1 /\
+  (-1) <= nu2 <= 1 /\
+  H2 P2 l mu2 nu2 0 = H1 P1 k mu1 nu1 1 /\
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 1 0 = gamma * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 /\
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 2 0 = gamma ^ 2 * Derive_n (fun x => H1 P1 k mu1 nu1 x) 2 1 + lambda * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 /\
+  (0 <= 0 <= l)%Z /\
+  (0 <= k <= k)%Z /\
+  (0 <= 1 <= l)%Z /\
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 /\
+  (0 <= k - 1 <= k)%Z /\
+  (0 <= 2 <= l)%Z /\
+  cl l mu2 + PI ^ 2 * (1 - nu2) <> 0 /\
+  (0 <= k - 2 <= k)%Z /\
+  4 * (IZR l - 2) * (IZR l - 3) + 4 * PI * (IZR l - 2) * (1 + mu2) + PI ^ 2 * (1 - nu2) <> 0.
+End thm_4_proof_establish_families.
+
+Module thm_4_proof_establish_surfaces.
+(* gbt-developable/thm-4.proof.establish.surfaces, Sect. 5.3, end of the proof of Theorem 4
+   printed: Hence the three equations of expression (5.16) establish the adequate and essential requirements of G2 beta continuity requirements among two or more developable GBT-Bézier surfaces.
+   read as: G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. The first two lines of (5.16) are stated; a factor rho of all coordinates is enough to refute.
+   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) *)
+Definition statement : Prop :=
+forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
+  0 < gamma ->
+  (2 <= k)%Z ->
+  (2 <= l)%Z ->
+  (-1) <= mu1 <= 1 ->
+  (-1) <= mu2 <= 1 ->
+  (-1) <= nu1 <= 1 ->
+  (-1) <= nu2 <= 1 ->
+  1 <= rho <= 2 ->
+  H2 P2 l mu2 nu2 0 = rho * H1 P1 k mu1 nu1 1 ->
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 1 0 = rho * gamma * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1 ->
+  Derive_n (fun x => H2 P2 l mu2 nu2 x) 2 0 = rho * (gamma ^ 2 * Derive_n (fun x => H1 P1 k mu1 nu1 x) 2 1 + lambda * Derive_n (fun x => H1 P1 k mu1 nu1 x) 1 1) ->
+  (0 <= 0 <= l)%Z ->
+  (0 <= k <= k)%Z ->
+  (0 <= 1 <= l)%Z ->
+  2 * (IZR l - 2) + PI * (1 + mu2) <> 0 ->
+  (0 <= k - 1 <= k)%Z ->
+  P2 0%Z = P1 k /\ P2 1%Z = P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z).
+End thm_4_proof_establish_surfaces.

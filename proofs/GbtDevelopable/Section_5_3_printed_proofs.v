@@ -110,3 +110,31 @@ Proof. follows GbtDevelopable.Section_5_3_proofs.thm_4_true_curvature.proved. Qe
 Theorem met : instance.
 Proof. follows GbtDevelopable.Section_5_3_proofs.thm_4_true_curvature.met. Qed.
 End thm_4_true_curvature.
+
+Module thm_4_proof_must_families.
+Import GbtDevelopable.Section_5_3_printed.thm_4_proof_must_families.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_5_3_proofs.thm_4_proof_must_families.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_5_3_proofs.thm_4_proof_must_families.met. Qed.
+End thm_4_proof_must_families.
+
+Module thm_4_proof_must_surfaces.
+Import GbtDevelopable.Section_5_3_printed.thm_4_proof_must_surfaces.
+Theorem refuted : ~ statement.
+Proof. follows GbtDevelopable.Section_5_3_proofs.thm_4_proof_must_surfaces.refuted. Qed.
+End thm_4_proof_must_surfaces.
+
+Module thm_4_proof_establish_families.
+Import GbtDevelopable.Section_5_3_printed.thm_4_proof_establish_families.
+Theorem proved : statement.
+Proof. follows GbtDevelopable.Section_5_3_proofs.thm_4_proof_establish_families.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtDevelopable.Section_5_3_proofs.thm_4_proof_establish_families.met. Qed.
+End thm_4_proof_establish_families.
+
+Module thm_4_proof_establish_surfaces.
+Import GbtDevelopable.Section_5_3_printed.thm_4_proof_establish_surfaces.
+Theorem refuted : ~ statement.
+Proof. follows GbtDevelopable.Section_5_3_proofs.thm_4_proof_establish_surfaces.refuted. Qed.
+End thm_4_proof_establish_surfaces.

@@ -111,3 +111,31 @@ Proof. cbv beta delta [statement]; intros d1 d2 d3 d4 k1 k2 k3 k4 c1 c2 c3 c4 f1
 Theorem met : instance.
 Proof. cbv beta delta [instance]; exists 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0; intros d d_ dd dd_ h h_; assert (A : P d dd h 0%Z = h) by (subst d dd h; cbv beta delta [P]; lists; parts; field); assert (B : vDerive 4 (fun e => P_ d dd h e) 1 (IZR 0) = d) by (subst d dd h; cbv beta delta [P_]; lists; parts; derivatives; field); cbv zeta; rewrite A, B; subst d d_ dd dd_ h h_; cbv beta delta [direction normal]; lists; conjuncts; parts; lra. Qed.
 End thm_4_true_curvature.
+
+Module thm_4_proof_must_families.
+Import GbtDevelopable.Section_5_3.thm_4_proof_must_families.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_ cl c ck beta]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); unknown (P2 2%Z); put_in; finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_ cl c ck beta]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), (7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (8), (7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_4_proof_must_families.
+
+Module thm_4_proof_must_surfaces.
+Import GbtDevelopable.Section_5_3.thm_4_proof_must_surfaces.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (2*(2 + 3*PI)/PI) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (2) else if (Z.eqb i0 (1))%bool then (0) else 0) (1) (1) (0) (1) (1) (1) (2)). Qed.
+End thm_4_proof_must_surfaces.
+
+Module thm_4_proof_establish_families.
+Import GbtDevelopable.Section_5_3.thm_4_proof_establish_families.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement g H2 H1 H2_ H1_ cl c ck beta]; prepared; unknown (P2 0%Z); unknown (P2 1%Z); unknown (P2 2%Z); put_in; finished. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance g H2 H1 H2_ H1_ cl c ck beta]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (1), (7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (0); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (8), (7), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3); met)]. Qed.
+End thm_4_proof_establish_families.
+
+Module thm_4_proof_establish_surfaces.
+Import GbtDevelopable.Section_5_3.thm_4_proof_establish_surfaces.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement g H2 H1 H2_ H1_ c] in no; refuting (no ((2))%Z ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (2*(2 + 3*PI)/PI) else if (Z.eqb i0 (1))%bool then (2) else if (Z.eqb i0 (2))%bool then (1) else 0) (fun i0 => if (Z.eqb i0 (0))%bool then (2) else if (Z.eqb i0 (1))%bool then (0) else 0) (1) (1) (0) (1) (1) (1) (2)). Qed.
+End thm_4_proof_establish_surfaces.

@@ -37,26 +37,38 @@ From GbtDevelopable Require Section_5_printed Section_5_printed_proofs.
 From GbtDevelopable Require Section_5 Section_5_proofs.
 Check (GbtDevelopable.Part_Abstract_printed_proofs.abs_conics_planes.refuted : ~ GbtDevelopable.Part_Abstract_printed.abs_conics_planes.statement).
 Check (GbtDevelopable.Part_Abstract_printed_proofs.abs_conics_points.proved : GbtDevelopable.Part_Abstract_printed.abs_conics_points.statement).
-Check (GbtDevelopable.Part_Abstract_printed_proofs.abs_conics_points.met : GbtDevelopable.Part_Abstract_printed.abs_conics_points.instance).
 Check (GbtDevelopable.Part_Abstract_printed_proofs.abs_4d_factor.proved : GbtDevelopable.Part_Abstract_printed.abs_4d_factor.statement).
 Check (GbtDevelopable.Part_Abstract_printed_proofs.abs_4d_factor.met : GbtDevelopable.Part_Abstract_printed.abs_4d_factor.instance).
 Check (GbtDevelopable.Part_Abstract_proofs.abs_conics_planes.refuted : ~ GbtDevelopable.Part_Abstract.abs_conics_planes.statement).
 Check (GbtDevelopable.Part_Abstract_proofs.abs_conics_points.proved : GbtDevelopable.Part_Abstract.abs_conics_points.statement).
-Check (GbtDevelopable.Part_Abstract_proofs.abs_conics_points.met : GbtDevelopable.Part_Abstract.abs_conics_points.instance).
 Check (GbtDevelopable.Part_Abstract_proofs.abs_4d_factor.proved : GbtDevelopable.Part_Abstract.abs_4d_factor.statement).
 Check (GbtDevelopable.Part_Abstract_proofs.abs_4d_factor.met : GbtDevelopable.Part_Abstract.abs_4d_factor.instance).
+Check (GbtDevelopable.Section_1_printed_proofs.intro_gk_by_the_printed_conditions.refuted : ~ GbtDevelopable.Section_1_printed.intro_gk_by_the_printed_conditions.statement).
+Check (GbtDevelopable.Section_1_printed_proofs.intro_gk_there_are_such_compositions.proved : GbtDevelopable.Section_1_printed.intro_gk_there_are_such_compositions.statement).
+Check (GbtDevelopable.Section_1_printed_proofs.intro_gk_there_are_such_compositions.met : GbtDevelopable.Section_1_printed.intro_gk_there_are_such_compositions.instance).
 Check (GbtDevelopable.Section_1_printed_proofs.intro_continuity_free_a.proved : GbtDevelopable.Section_1_printed.intro_continuity_free_a.statement).
 Check (GbtDevelopable.Section_1_printed_proofs.intro_continuity_free_a.met : GbtDevelopable.Section_1_printed.intro_continuity_free_a.instance).
 Check (GbtDevelopable.Section_1_printed_proofs.intro_continuity_free_b_any_values.refuted : ~ GbtDevelopable.Section_1_printed.intro_continuity_free_b_any_values.statement).
 Check (GbtDevelopable.Section_1_printed_proofs.intro_continuity_free_c_any_values.refuted : ~ GbtDevelopable.Section_1_printed.intro_continuity_free_c_any_values.statement).
+Check (GbtDevelopable.Section_1_printed_proofs.intro_contrib_1.proved : GbtDevelopable.Section_1_printed.intro_contrib_1.statement).
+Check (GbtDevelopable.Section_1_printed_proofs.intro_contrib_1.met : GbtDevelopable.Section_1_printed.intro_contrib_1.instance).
+Check (GbtDevelopable.Section_1_printed_proofs.intro_contrib_2.proved : GbtDevelopable.Section_1_printed.intro_contrib_2.statement).
+Check (GbtDevelopable.Section_1_printed_proofs.intro_contrib_2.met : GbtDevelopable.Section_1_printed.intro_contrib_2.instance).
 Check (GbtDevelopable.Section_1_printed_proofs.intro_contrib_4.proved : GbtDevelopable.Section_1_printed.intro_contrib_4.statement).
 Check (GbtDevelopable.Section_1_printed_proofs.intro_contrib_4.met : GbtDevelopable.Section_1_printed.intro_contrib_4.instance).
 Check (GbtDevelopable.Section_1_printed_proofs.intro_gauss.proved : GbtDevelopable.Section_1_printed.intro_gauss.statement).
 Check (GbtDevelopable.Section_1_printed_proofs.intro_gauss.met : GbtDevelopable.Section_1_printed.intro_gauss.instance).
+Check (GbtDevelopable.Section_1_proofs.intro_gk_by_the_printed_conditions.refuted : ~ GbtDevelopable.Section_1.intro_gk_by_the_printed_conditions.statement).
+Check (GbtDevelopable.Section_1_proofs.intro_gk_there_are_such_compositions.proved : GbtDevelopable.Section_1.intro_gk_there_are_such_compositions.statement).
+Check (GbtDevelopable.Section_1_proofs.intro_gk_there_are_such_compositions.met : GbtDevelopable.Section_1.intro_gk_there_are_such_compositions.instance).
 Check (GbtDevelopable.Section_1_proofs.intro_continuity_free_a.proved : GbtDevelopable.Section_1.intro_continuity_free_a.statement).
 Check (GbtDevelopable.Section_1_proofs.intro_continuity_free_a.met : GbtDevelopable.Section_1.intro_continuity_free_a.instance).
 Check (GbtDevelopable.Section_1_proofs.intro_continuity_free_b_any_values.refuted : ~ GbtDevelopable.Section_1.intro_continuity_free_b_any_values.statement).
 Check (GbtDevelopable.Section_1_proofs.intro_continuity_free_c_any_values.refuted : ~ GbtDevelopable.Section_1.intro_continuity_free_c_any_values.statement).
+Check (GbtDevelopable.Section_1_proofs.intro_contrib_1.proved : GbtDevelopable.Section_1.intro_contrib_1.statement).
+Check (GbtDevelopable.Section_1_proofs.intro_contrib_1.met : GbtDevelopable.Section_1.intro_contrib_1.instance).
+Check (GbtDevelopable.Section_1_proofs.intro_contrib_2.proved : GbtDevelopable.Section_1.intro_contrib_2.statement).
+Check (GbtDevelopable.Section_1_proofs.intro_contrib_2.met : GbtDevelopable.Section_1.intro_contrib_2.instance).
 Check (GbtDevelopable.Section_1_proofs.intro_contrib_4.proved : GbtDevelopable.Section_1.intro_contrib_4.statement).
 Check (GbtDevelopable.Section_1_proofs.intro_contrib_4.met : GbtDevelopable.Section_1.intro_contrib_4.instance).
 Check (GbtDevelopable.Section_1_proofs.intro_gauss.proved : GbtDevelopable.Section_1.intro_gauss.statement).
@@ -160,6 +172,7 @@ Check (GbtDevelopable.Section_2_1_proofs.thm_1_6_d.met : GbtDevelopable.Section_
 Check (GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_one_letter.refuted : ~ GbtDevelopable.Section_2_2_printed.def_2_dim_one_letter.statement).
 Check (GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.proved : GbtDevelopable.Section_2_2_printed.def_2_dim_two_letters.statement).
 Check (GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.met : GbtDevelopable.Section_2_2_printed.def_2_dim_two_letters.instance).
+Check (GbtDevelopable.Section_2_2_printed_proofs.def_2_dim.refuted : ~ GbtDevelopable.Section_2_2_printed.def_2_dim.statement).
 Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_endpoints.proved : GbtDevelopable.Section_2_2_printed.sec_2_2_endpoints.statement).
 Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_endpoints.met : GbtDevelopable.Section_2_2_printed.sec_2_2_endpoints.instance).
 Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_convexity.proved : GbtDevelopable.Section_2_2_printed.sec_2_2_convexity.statement).
@@ -177,6 +190,7 @@ Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_geominv.met : GbtDevelo
 Check (GbtDevelopable.Section_2_2_proofs.def_2_dim_one_letter.refuted : ~ GbtDevelopable.Section_2_2.def_2_dim_one_letter.statement).
 Check (GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.proved : GbtDevelopable.Section_2_2.def_2_dim_two_letters.statement).
 Check (GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.met : GbtDevelopable.Section_2_2.def_2_dim_two_letters.instance).
+Check (GbtDevelopable.Section_2_2_proofs.def_2_dim.refuted : ~ GbtDevelopable.Section_2_2.def_2_dim.statement).
 Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_endpoints.proved : GbtDevelopable.Section_2_2.sec_2_2_endpoints.statement).
 Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_endpoints.met : GbtDevelopable.Section_2_2.sec_2_2_endpoints.instance).
 Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_convexity.proved : GbtDevelopable.Section_2_2.sec_2_2_convexity.statement).
@@ -263,6 +277,9 @@ Check (GbtDevelopable.Section_3_1_printed_proofs.eq_3_3.proved : GbtDevelopable.
 Check (GbtDevelopable.Section_3_1_printed_proofs.eq_3_3.met : GbtDevelopable.Section_3_1_printed.eq_3_3.instance).
 Check (GbtDevelopable.Section_3_1_printed_proofs.eq_3_4.proved : GbtDevelopable.Section_3_1_printed.eq_3_4.statement).
 Check (GbtDevelopable.Section_3_1_printed_proofs.eq_3_4.met : GbtDevelopable.Section_3_1_printed.eq_3_4.instance).
+Check (GbtDevelopable.Section_3_1_printed_proofs.sec_3_1_ref.refuted : ~ GbtDevelopable.Section_3_1_printed.sec_3_1_ref.statement).
+Check (GbtDevelopable.Section_3_1_printed_proofs.sec_3_1_ref_true.proved : GbtDevelopable.Section_3_1_printed.sec_3_1_ref_true.statement).
+Check (GbtDevelopable.Section_3_1_printed_proofs.sec_3_1_ref_true.met : GbtDevelopable.Section_3_1_printed.sec_3_1_ref_true.instance).
 Check (GbtDevelopable.Section_3_1_proofs.sec_3_1_space.proved : GbtDevelopable.Section_3_1.sec_3_1_space.statement).
 Check (GbtDevelopable.Section_3_1_proofs.sec_3_1_space.met : GbtDevelopable.Section_3_1.sec_3_1_space.instance).
 Check (GbtDevelopable.Section_3_1_proofs.eq_3_2.proved : GbtDevelopable.Section_3_1.eq_3_2.statement).
@@ -271,6 +288,9 @@ Check (GbtDevelopable.Section_3_1_proofs.eq_3_3.proved : GbtDevelopable.Section_
 Check (GbtDevelopable.Section_3_1_proofs.eq_3_3.met : GbtDevelopable.Section_3_1.eq_3_3.instance).
 Check (GbtDevelopable.Section_3_1_proofs.eq_3_4.proved : GbtDevelopable.Section_3_1.eq_3_4.statement).
 Check (GbtDevelopable.Section_3_1_proofs.eq_3_4.met : GbtDevelopable.Section_3_1.eq_3_4.instance).
+Check (GbtDevelopable.Section_3_1_proofs.sec_3_1_ref.refuted : ~ GbtDevelopable.Section_3_1.sec_3_1_ref.statement).
+Check (GbtDevelopable.Section_3_1_proofs.sec_3_1_ref_true.proved : GbtDevelopable.Section_3_1.sec_3_1_ref_true.statement).
+Check (GbtDevelopable.Section_3_1_proofs.sec_3_1_ref_true.met : GbtDevelopable.Section_3_1.sec_3_1_ref_true.instance).
 Check (GbtDevelopable.Section_3_2_printed_proofs.eq_3_5.proved : GbtDevelopable.Section_3_2_printed.eq_3_5.statement).
 Check (GbtDevelopable.Section_3_2_printed_proofs.eq_3_5.met : GbtDevelopable.Section_3_2_printed.eq_3_5.instance).
 Check (GbtDevelopable.Section_3_2_printed_proofs.eq_3_6.proved : GbtDevelopable.Section_3_2_printed.eq_3_6.statement).
@@ -706,6 +726,9 @@ Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_generator.proved : G
 Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_generator.met : GbtDevelopable.Section_5_1_printed.thm_2_true_generator.instance).
 Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_sheets.proved : GbtDevelopable.Section_5_1_printed.thm_2_true_sheets.statement).
 Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_sheets.met : GbtDevelopable.Section_5_1_printed.thm_2_true_sheets.instance).
+Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_proof_comprise_families.proved : GbtDevelopable.Section_5_1_printed.thm_2_proof_comprise_families.statement).
+Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_proof_comprise_families.met : GbtDevelopable.Section_5_1_printed.thm_2_proof_comprise_families.instance).
+Check (GbtDevelopable.Section_5_1_printed_proofs.thm_2_proof_comprise_surfaces.refuted : ~ GbtDevelopable.Section_5_1_printed.thm_2_proof_comprise_surfaces.statement).
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_3_b.refuted : ~ GbtDevelopable.Section_5_1.eq_5_3_b.statement).
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_3_b_corrected.proved : GbtDevelopable.Section_5_1.eq_5_3_b_corrected.statement).
 Check (GbtDevelopable.Section_5_1_proofs.eq_5_3_b_corrected.met : GbtDevelopable.Section_5_1.eq_5_3_b_corrected.instance).
@@ -753,6 +776,9 @@ Check (GbtDevelopable.Section_5_1_proofs.thm_2_true_generator.proved : GbtDevelo
 Check (GbtDevelopable.Section_5_1_proofs.thm_2_true_generator.met : GbtDevelopable.Section_5_1.thm_2_true_generator.instance).
 Check (GbtDevelopable.Section_5_1_proofs.thm_2_true_sheets.proved : GbtDevelopable.Section_5_1.thm_2_true_sheets.statement).
 Check (GbtDevelopable.Section_5_1_proofs.thm_2_true_sheets.met : GbtDevelopable.Section_5_1.thm_2_true_sheets.instance).
+Check (GbtDevelopable.Section_5_1_proofs.thm_2_proof_comprise_families.proved : GbtDevelopable.Section_5_1.thm_2_proof_comprise_families.statement).
+Check (GbtDevelopable.Section_5_1_proofs.thm_2_proof_comprise_families.met : GbtDevelopable.Section_5_1.thm_2_proof_comprise_families.instance).
+Check (GbtDevelopable.Section_5_1_proofs.thm_2_proof_comprise_surfaces.refuted : ~ GbtDevelopable.Section_5_1.thm_2_proof_comprise_surfaces.statement).
 Check (GbtDevelopable.Section_5_2_printed_proofs.eq_5_11.proved : GbtDevelopable.Section_5_2_printed.eq_5_11.statement).
 Check (GbtDevelopable.Section_5_2_printed_proofs.eq_5_11.met : GbtDevelopable.Section_5_2_printed.eq_5_11.instance).
 Check (GbtDevelopable.Section_5_2_printed_proofs.sec_5_2_meaning.proved : GbtDevelopable.Section_5_2_printed.sec_5_2_meaning.statement).
@@ -781,6 +807,12 @@ Check (GbtDevelopable.Section_5_2_printed_proofs.eq_5_15.met : GbtDevelopable.Se
 Check (GbtDevelopable.Section_5_2_printed_proofs.thm_3_proofref.refuted : ~ GbtDevelopable.Section_5_2_printed.thm_3_proofref.statement).
 Check (GbtDevelopable.Section_5_2_printed_proofs.thm_3_proofref_true.proved : GbtDevelopable.Section_5_2_printed.thm_3_proofref_true.statement).
 Check (GbtDevelopable.Section_5_2_printed_proofs.thm_3_proofref_true.met : GbtDevelopable.Section_5_2_printed.thm_3_proofref_true.instance).
+Check (GbtDevelopable.Section_5_2_printed_proofs.sec_5_2_must_families.proved : GbtDevelopable.Section_5_2_printed.sec_5_2_must_families.statement).
+Check (GbtDevelopable.Section_5_2_printed_proofs.sec_5_2_must_families.met : GbtDevelopable.Section_5_2_printed.sec_5_2_must_families.instance).
+Check (GbtDevelopable.Section_5_2_printed_proofs.sec_5_2_must_surfaces.refuted : ~ GbtDevelopable.Section_5_2_printed.sec_5_2_must_surfaces.statement).
+Check (GbtDevelopable.Section_5_2_printed_proofs.thm_3_proof_implies_families.proved : GbtDevelopable.Section_5_2_printed.thm_3_proof_implies_families.statement).
+Check (GbtDevelopable.Section_5_2_printed_proofs.thm_3_proof_implies_families.met : GbtDevelopable.Section_5_2_printed.thm_3_proof_implies_families.instance).
+Check (GbtDevelopable.Section_5_2_printed_proofs.thm_3_proof_implies_surfaces.refuted : ~ GbtDevelopable.Section_5_2_printed.thm_3_proof_implies_surfaces.statement).
 Check (GbtDevelopable.Section_5_2_proofs.eq_5_11.proved : GbtDevelopable.Section_5_2.eq_5_11.statement).
 Check (GbtDevelopable.Section_5_2_proofs.eq_5_11.met : GbtDevelopable.Section_5_2.eq_5_11.instance).
 Check (GbtDevelopable.Section_5_2_proofs.sec_5_2_meaning.proved : GbtDevelopable.Section_5_2.sec_5_2_meaning.statement).
@@ -809,6 +841,12 @@ Check (GbtDevelopable.Section_5_2_proofs.eq_5_15.met : GbtDevelopable.Section_5_
 Check (GbtDevelopable.Section_5_2_proofs.thm_3_proofref.refuted : ~ GbtDevelopable.Section_5_2.thm_3_proofref.statement).
 Check (GbtDevelopable.Section_5_2_proofs.thm_3_proofref_true.proved : GbtDevelopable.Section_5_2.thm_3_proofref_true.statement).
 Check (GbtDevelopable.Section_5_2_proofs.thm_3_proofref_true.met : GbtDevelopable.Section_5_2.thm_3_proofref_true.instance).
+Check (GbtDevelopable.Section_5_2_proofs.sec_5_2_must_families.proved : GbtDevelopable.Section_5_2.sec_5_2_must_families.statement).
+Check (GbtDevelopable.Section_5_2_proofs.sec_5_2_must_families.met : GbtDevelopable.Section_5_2.sec_5_2_must_families.instance).
+Check (GbtDevelopable.Section_5_2_proofs.sec_5_2_must_surfaces.refuted : ~ GbtDevelopable.Section_5_2.sec_5_2_must_surfaces.statement).
+Check (GbtDevelopable.Section_5_2_proofs.thm_3_proof_implies_families.proved : GbtDevelopable.Section_5_2.thm_3_proof_implies_families.statement).
+Check (GbtDevelopable.Section_5_2_proofs.thm_3_proof_implies_families.met : GbtDevelopable.Section_5_2.thm_3_proof_implies_families.instance).
+Check (GbtDevelopable.Section_5_2_proofs.thm_3_proof_implies_surfaces.refuted : ~ GbtDevelopable.Section_5_2.thm_3_proof_implies_surfaces.statement).
 Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_consts.proved : GbtDevelopable.Section_5_3_printed.thm_4_consts.statement).
 Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_consts.met : GbtDevelopable.Section_5_3_printed.thm_4_consts.instance).
 Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_a.proved : GbtDevelopable.Section_5_3_printed.thm_4_a.statement).
@@ -835,6 +873,12 @@ Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_true_sheets.proved : GbtD
 Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_true_sheets.met : GbtDevelopable.Section_5_3_printed.thm_4_true_sheets.instance).
 Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_true_curvature.proved : GbtDevelopable.Section_5_3_printed.thm_4_true_curvature.statement).
 Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_true_curvature.met : GbtDevelopable.Section_5_3_printed.thm_4_true_curvature.instance).
+Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_must_families.proved : GbtDevelopable.Section_5_3_printed.thm_4_proof_must_families.statement).
+Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_must_families.met : GbtDevelopable.Section_5_3_printed.thm_4_proof_must_families.instance).
+Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_must_surfaces.refuted : ~ GbtDevelopable.Section_5_3_printed.thm_4_proof_must_surfaces.statement).
+Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_establish_families.proved : GbtDevelopable.Section_5_3_printed.thm_4_proof_establish_families.statement).
+Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_establish_families.met : GbtDevelopable.Section_5_3_printed.thm_4_proof_establish_families.instance).
+Check (GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_establish_surfaces.refuted : ~ GbtDevelopable.Section_5_3_printed.thm_4_proof_establish_surfaces.statement).
 Check (GbtDevelopable.Section_5_3_proofs.thm_4_consts.proved : GbtDevelopable.Section_5_3.thm_4_consts.statement).
 Check (GbtDevelopable.Section_5_3_proofs.thm_4_consts.met : GbtDevelopable.Section_5_3.thm_4_consts.instance).
 Check (GbtDevelopable.Section_5_3_proofs.thm_4_a.proved : GbtDevelopable.Section_5_3.thm_4_a.statement).
@@ -861,6 +905,12 @@ Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_sheets.proved : GbtDevelopab
 Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_sheets.met : GbtDevelopable.Section_5_3.thm_4_true_sheets.instance).
 Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_curvature.proved : GbtDevelopable.Section_5_3.thm_4_true_curvature.statement).
 Check (GbtDevelopable.Section_5_3_proofs.thm_4_true_curvature.met : GbtDevelopable.Section_5_3.thm_4_true_curvature.instance).
+Check (GbtDevelopable.Section_5_3_proofs.thm_4_proof_must_families.proved : GbtDevelopable.Section_5_3.thm_4_proof_must_families.statement).
+Check (GbtDevelopable.Section_5_3_proofs.thm_4_proof_must_families.met : GbtDevelopable.Section_5_3.thm_4_proof_must_families.instance).
+Check (GbtDevelopable.Section_5_3_proofs.thm_4_proof_must_surfaces.refuted : ~ GbtDevelopable.Section_5_3.thm_4_proof_must_surfaces.statement).
+Check (GbtDevelopable.Section_5_3_proofs.thm_4_proof_establish_families.proved : GbtDevelopable.Section_5_3.thm_4_proof_establish_families.statement).
+Check (GbtDevelopable.Section_5_3_proofs.thm_4_proof_establish_families.met : GbtDevelopable.Section_5_3.thm_4_proof_establish_families.instance).
+Check (GbtDevelopable.Section_5_3_proofs.thm_4_proof_establish_surfaces.refuted : ~ GbtDevelopable.Section_5_3.thm_4_proof_establish_surfaces.statement).
 Check (GbtDevelopable.Section_5_4_printed_proofs.alg_5_4_s1.proved : GbtDevelopable.Section_5_4_printed.alg_5_4_s1.statement).
 Check (GbtDevelopable.Section_5_4_printed_proofs.alg_5_4_s1.met : GbtDevelopable.Section_5_4_printed.alg_5_4_s1.instance).
 Check (GbtDevelopable.Section_5_4_printed_proofs.alg_5_4_s2_families.proved : GbtDevelopable.Section_5_4_printed.alg_5_4_s2_families.statement).
@@ -944,26 +994,38 @@ Check (GbtDevelopable.Section_5_proofs.eq_5_2.met : GbtDevelopable.Section_5.eq_
 Definition all_theorems : True :=
 let _ := GbtDevelopable.Part_Abstract_printed_proofs.abs_conics_planes.refuted in
 let _ := GbtDevelopable.Part_Abstract_printed_proofs.abs_conics_points.proved in
-let _ := GbtDevelopable.Part_Abstract_printed_proofs.abs_conics_points.met in
 let _ := GbtDevelopable.Part_Abstract_printed_proofs.abs_4d_factor.proved in
 let _ := GbtDevelopable.Part_Abstract_printed_proofs.abs_4d_factor.met in
 let _ := GbtDevelopable.Part_Abstract_proofs.abs_conics_planes.refuted in
 let _ := GbtDevelopable.Part_Abstract_proofs.abs_conics_points.proved in
-let _ := GbtDevelopable.Part_Abstract_proofs.abs_conics_points.met in
 let _ := GbtDevelopable.Part_Abstract_proofs.abs_4d_factor.proved in
 let _ := GbtDevelopable.Part_Abstract_proofs.abs_4d_factor.met in
+let _ := GbtDevelopable.Section_1_printed_proofs.intro_gk_by_the_printed_conditions.refuted in
+let _ := GbtDevelopable.Section_1_printed_proofs.intro_gk_there_are_such_compositions.proved in
+let _ := GbtDevelopable.Section_1_printed_proofs.intro_gk_there_are_such_compositions.met in
 let _ := GbtDevelopable.Section_1_printed_proofs.intro_continuity_free_a.proved in
 let _ := GbtDevelopable.Section_1_printed_proofs.intro_continuity_free_a.met in
 let _ := GbtDevelopable.Section_1_printed_proofs.intro_continuity_free_b_any_values.refuted in
 let _ := GbtDevelopable.Section_1_printed_proofs.intro_continuity_free_c_any_values.refuted in
+let _ := GbtDevelopable.Section_1_printed_proofs.intro_contrib_1.proved in
+let _ := GbtDevelopable.Section_1_printed_proofs.intro_contrib_1.met in
+let _ := GbtDevelopable.Section_1_printed_proofs.intro_contrib_2.proved in
+let _ := GbtDevelopable.Section_1_printed_proofs.intro_contrib_2.met in
 let _ := GbtDevelopable.Section_1_printed_proofs.intro_contrib_4.proved in
 let _ := GbtDevelopable.Section_1_printed_proofs.intro_contrib_4.met in
 let _ := GbtDevelopable.Section_1_printed_proofs.intro_gauss.proved in
 let _ := GbtDevelopable.Section_1_printed_proofs.intro_gauss.met in
+let _ := GbtDevelopable.Section_1_proofs.intro_gk_by_the_printed_conditions.refuted in
+let _ := GbtDevelopable.Section_1_proofs.intro_gk_there_are_such_compositions.proved in
+let _ := GbtDevelopable.Section_1_proofs.intro_gk_there_are_such_compositions.met in
 let _ := GbtDevelopable.Section_1_proofs.intro_continuity_free_a.proved in
 let _ := GbtDevelopable.Section_1_proofs.intro_continuity_free_a.met in
 let _ := GbtDevelopable.Section_1_proofs.intro_continuity_free_b_any_values.refuted in
 let _ := GbtDevelopable.Section_1_proofs.intro_continuity_free_c_any_values.refuted in
+let _ := GbtDevelopable.Section_1_proofs.intro_contrib_1.proved in
+let _ := GbtDevelopable.Section_1_proofs.intro_contrib_1.met in
+let _ := GbtDevelopable.Section_1_proofs.intro_contrib_2.proved in
+let _ := GbtDevelopable.Section_1_proofs.intro_contrib_2.met in
 let _ := GbtDevelopable.Section_1_proofs.intro_contrib_4.proved in
 let _ := GbtDevelopable.Section_1_proofs.intro_contrib_4.met in
 let _ := GbtDevelopable.Section_1_proofs.intro_gauss.proved in
@@ -1067,6 +1129,7 @@ let _ := GbtDevelopable.Section_2_1_proofs.thm_1_6_d.met in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_one_letter.refuted in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.proved in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.met in
+let _ := GbtDevelopable.Section_2_2_printed_proofs.def_2_dim.refuted in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_endpoints.proved in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_endpoints.met in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_convexity.proved in
@@ -1084,6 +1147,7 @@ let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_geominv.met in
 let _ := GbtDevelopable.Section_2_2_proofs.def_2_dim_one_letter.refuted in
 let _ := GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.proved in
 let _ := GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.met in
+let _ := GbtDevelopable.Section_2_2_proofs.def_2_dim.refuted in
 let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_endpoints.proved in
 let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_endpoints.met in
 let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_convexity.proved in
@@ -1170,6 +1234,9 @@ let _ := GbtDevelopable.Section_3_1_printed_proofs.eq_3_3.proved in
 let _ := GbtDevelopable.Section_3_1_printed_proofs.eq_3_3.met in
 let _ := GbtDevelopable.Section_3_1_printed_proofs.eq_3_4.proved in
 let _ := GbtDevelopable.Section_3_1_printed_proofs.eq_3_4.met in
+let _ := GbtDevelopable.Section_3_1_printed_proofs.sec_3_1_ref.refuted in
+let _ := GbtDevelopable.Section_3_1_printed_proofs.sec_3_1_ref_true.proved in
+let _ := GbtDevelopable.Section_3_1_printed_proofs.sec_3_1_ref_true.met in
 let _ := GbtDevelopable.Section_3_1_proofs.sec_3_1_space.proved in
 let _ := GbtDevelopable.Section_3_1_proofs.sec_3_1_space.met in
 let _ := GbtDevelopable.Section_3_1_proofs.eq_3_2.proved in
@@ -1178,6 +1245,9 @@ let _ := GbtDevelopable.Section_3_1_proofs.eq_3_3.proved in
 let _ := GbtDevelopable.Section_3_1_proofs.eq_3_3.met in
 let _ := GbtDevelopable.Section_3_1_proofs.eq_3_4.proved in
 let _ := GbtDevelopable.Section_3_1_proofs.eq_3_4.met in
+let _ := GbtDevelopable.Section_3_1_proofs.sec_3_1_ref.refuted in
+let _ := GbtDevelopable.Section_3_1_proofs.sec_3_1_ref_true.proved in
+let _ := GbtDevelopable.Section_3_1_proofs.sec_3_1_ref_true.met in
 let _ := GbtDevelopable.Section_3_2_printed_proofs.eq_3_5.proved in
 let _ := GbtDevelopable.Section_3_2_printed_proofs.eq_3_5.met in
 let _ := GbtDevelopable.Section_3_2_printed_proofs.eq_3_6.proved in
@@ -1613,6 +1683,9 @@ let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_generator.proved i
 let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_generator.met in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_sheets.proved in
 let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_true_sheets.met in
+let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_proof_comprise_families.proved in
+let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_proof_comprise_families.met in
+let _ := GbtDevelopable.Section_5_1_printed_proofs.thm_2_proof_comprise_surfaces.refuted in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_3_b.refuted in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_3_b_corrected.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.eq_5_3_b_corrected.met in
@@ -1660,6 +1733,9 @@ let _ := GbtDevelopable.Section_5_1_proofs.thm_2_true_generator.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.thm_2_true_generator.met in
 let _ := GbtDevelopable.Section_5_1_proofs.thm_2_true_sheets.proved in
 let _ := GbtDevelopable.Section_5_1_proofs.thm_2_true_sheets.met in
+let _ := GbtDevelopable.Section_5_1_proofs.thm_2_proof_comprise_families.proved in
+let _ := GbtDevelopable.Section_5_1_proofs.thm_2_proof_comprise_families.met in
+let _ := GbtDevelopable.Section_5_1_proofs.thm_2_proof_comprise_surfaces.refuted in
 let _ := GbtDevelopable.Section_5_2_printed_proofs.eq_5_11.proved in
 let _ := GbtDevelopable.Section_5_2_printed_proofs.eq_5_11.met in
 let _ := GbtDevelopable.Section_5_2_printed_proofs.sec_5_2_meaning.proved in
@@ -1688,6 +1764,12 @@ let _ := GbtDevelopable.Section_5_2_printed_proofs.eq_5_15.met in
 let _ := GbtDevelopable.Section_5_2_printed_proofs.thm_3_proofref.refuted in
 let _ := GbtDevelopable.Section_5_2_printed_proofs.thm_3_proofref_true.proved in
 let _ := GbtDevelopable.Section_5_2_printed_proofs.thm_3_proofref_true.met in
+let _ := GbtDevelopable.Section_5_2_printed_proofs.sec_5_2_must_families.proved in
+let _ := GbtDevelopable.Section_5_2_printed_proofs.sec_5_2_must_families.met in
+let _ := GbtDevelopable.Section_5_2_printed_proofs.sec_5_2_must_surfaces.refuted in
+let _ := GbtDevelopable.Section_5_2_printed_proofs.thm_3_proof_implies_families.proved in
+let _ := GbtDevelopable.Section_5_2_printed_proofs.thm_3_proof_implies_families.met in
+let _ := GbtDevelopable.Section_5_2_printed_proofs.thm_3_proof_implies_surfaces.refuted in
 let _ := GbtDevelopable.Section_5_2_proofs.eq_5_11.proved in
 let _ := GbtDevelopable.Section_5_2_proofs.eq_5_11.met in
 let _ := GbtDevelopable.Section_5_2_proofs.sec_5_2_meaning.proved in
@@ -1716,6 +1798,12 @@ let _ := GbtDevelopable.Section_5_2_proofs.eq_5_15.met in
 let _ := GbtDevelopable.Section_5_2_proofs.thm_3_proofref.refuted in
 let _ := GbtDevelopable.Section_5_2_proofs.thm_3_proofref_true.proved in
 let _ := GbtDevelopable.Section_5_2_proofs.thm_3_proofref_true.met in
+let _ := GbtDevelopable.Section_5_2_proofs.sec_5_2_must_families.proved in
+let _ := GbtDevelopable.Section_5_2_proofs.sec_5_2_must_families.met in
+let _ := GbtDevelopable.Section_5_2_proofs.sec_5_2_must_surfaces.refuted in
+let _ := GbtDevelopable.Section_5_2_proofs.thm_3_proof_implies_families.proved in
+let _ := GbtDevelopable.Section_5_2_proofs.thm_3_proof_implies_families.met in
+let _ := GbtDevelopable.Section_5_2_proofs.thm_3_proof_implies_surfaces.refuted in
 let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_consts.proved in
 let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_consts.met in
 let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_a.proved in
@@ -1742,6 +1830,12 @@ let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_true_sheets.proved in
 let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_true_sheets.met in
 let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_true_curvature.proved in
 let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_true_curvature.met in
+let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_must_families.proved in
+let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_must_families.met in
+let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_must_surfaces.refuted in
+let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_establish_families.proved in
+let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_establish_families.met in
+let _ := GbtDevelopable.Section_5_3_printed_proofs.thm_4_proof_establish_surfaces.refuted in
 let _ := GbtDevelopable.Section_5_3_proofs.thm_4_consts.proved in
 let _ := GbtDevelopable.Section_5_3_proofs.thm_4_consts.met in
 let _ := GbtDevelopable.Section_5_3_proofs.thm_4_a.proved in
@@ -1768,6 +1862,12 @@ let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_sheets.proved in
 let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_sheets.met in
 let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_curvature.proved in
 let _ := GbtDevelopable.Section_5_3_proofs.thm_4_true_curvature.met in
+let _ := GbtDevelopable.Section_5_3_proofs.thm_4_proof_must_families.proved in
+let _ := GbtDevelopable.Section_5_3_proofs.thm_4_proof_must_families.met in
+let _ := GbtDevelopable.Section_5_3_proofs.thm_4_proof_must_surfaces.refuted in
+let _ := GbtDevelopable.Section_5_3_proofs.thm_4_proof_establish_families.proved in
+let _ := GbtDevelopable.Section_5_3_proofs.thm_4_proof_establish_families.met in
+let _ := GbtDevelopable.Section_5_3_proofs.thm_4_proof_establish_surfaces.refuted in
 let _ := GbtDevelopable.Section_5_4_printed_proofs.alg_5_4_s1.proved in
 let _ := GbtDevelopable.Section_5_4_printed_proofs.alg_5_4_s1.met in
 let _ := GbtDevelopable.Section_5_4_printed_proofs.alg_5_4_s2_families.proved in

@@ -17,6 +17,12 @@ Theorem met : instance.
 Proof. follows GbtSurfaces.Section_2_2_proofs.def_2_points_two_letters.met. Qed.
 End def_2_points_two_letters.
 
+Module def_2_points.
+Import GbtSurfaces.Section_2_2_printed.def_2_points.
+Theorem refuted : ~ statement.
+Proof. follows GbtSurfaces.Section_2_2_proofs.def_2_points.refuted. Qed.
+End def_2_points.
+
 Module eq_3.
 Import GbtSurfaces.Section_2_2_printed.eq_3.
 Theorem proved : statement.

@@ -158,12 +158,10 @@ Module prop_3_5.
 Definition statement : Prop :=
 forall (lambda : R) (r : R) (theta : R) (w : R) (x : R),
   0 < lambda ->
-  0 <= r ->
   swung lambda x w (r * cos theta) (r * sin theta) = mvec (turn theta) [lambda * r * x; 0; w].
 Definition instance : Prop :=
 exists (lambda : R) (r : R) (theta : R) (w : R) (x : R),
-  0 < lambda /\
-  0 <= r.
+  0 < lambda.
 End prop_3_5.
 
 Module prop_3_6_1.
@@ -187,12 +185,10 @@ Module prop_3_6_2.
 Definition statement : Prop :=
 forall (lambda : R) (r : R) (theta : R) (w : R) (x : R),
   0 < lambda ->
-  0 <= r ->
   dot [r * cos theta; r * sin theta] [r * cos theta; r * sin theta] = r ^ 2 /\ swung lambda x w (r * cos theta) (r * sin theta) = mvec (turn theta) [lambda * r * x; 0; w].
 Definition instance : Prop :=
 exists (lambda : R) (r : R) (theta : R) (w : R) (x : R),
-  0 < lambda /\
-  0 <= r.
+  0 < lambda.
 End prop_3_6_2.
 
 Module eq_23.
@@ -662,6 +658,18 @@ exists (m : Z) (n : Z) (U : Z -> R) (V : Z -> R) (X : Z -> R) (Z_ : Z -> R) (lam
   0 <= z1 <= 1.
 End eq_25_4_c.
 
+Module thm_4_degree.
+(* gbt-surfaces/thm-4.degree, Sect. 3.4, last sentence of the proof of Theorem 4
+   printed: a tensor product GBT-Bézier surface design of degree (n, m) is used to express the swung surfaces (22)
+   read as: The degree by Definition 3: the orders of the functions in z and in z_1, in this order.
+   stated: [m, n] == [n, m] *)
+Definition statement : Prop :=
+forall (m : Z) (n : Z),
+  (2 <= m)%Z ->
+  (2 <= n)%Z ->
+  [IZR m; IZR n] = [IZR n; IZR m].
+End thm_4_degree.
+
 Module sec_3_4_features_a.
 (* gbt-surfaces/sec-3.4.features.a, Sect. 3.4, paragraph after the proof
    printed: the GBT-Bézier swung surface carried all the characteristics and benefits of GBT-Bézier surface. The shape parameters are used to modify GBT-Bézier swung surface by keeping control net points fixed.
@@ -834,7 +842,6 @@ Definition gapz1_ (lambda : R) (u0 : R) (v0 : R) (w : R) (x : R) (v1 : R) (u1 : 
 Definition statement : Prop :=
 forall (lambda : R) (r : R) (theta : R) (u0 : R) (u1 : R) (v0 : R) (v1 : R) (w : R) (w0 : R) (w1 : R) (x : R) (x0 : R) (x1 : R),
   0 < lambda ->
-  0 <= r ->
   dot (gapz lambda r theta w0 w1 x0 x1) [cos theta; sin theta; 0] = 0 ->
   entry (gapz lambda r theta w0 w1 x0 x1) 3 = 0 ->
   entry (gapz1 lambda u0 u1 v0 v1 w x) 1 = 0 ->
@@ -845,7 +852,6 @@ forall (lambda : R) (r : R) (theta : R) (u0 : R) (u1 : R) (v0 : R) (v1 : R) (w :
 Definition instance : Prop :=
 exists (lambda : R) (r : R) (theta : R) (u0 : R) (u1 : R) (v0 : R) (v1 : R) (w : R) (w0 : R) (w1 : R) (x : R) (x0 : R) (x1 : R),
   0 < lambda /\
-  0 <= r /\
   dot (gapz lambda r theta w0 w1 x0 x1) [cos theta; sin theta; 0] = 0 /\
   entry (gapz lambda r theta w0 w1 x0 x1) 3 = 0 /\
   entry (gapz1 lambda u0 u1 v0 v1 w x) 1 = 0 /\

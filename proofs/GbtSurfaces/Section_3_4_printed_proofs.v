@@ -199,6 +199,12 @@ Theorem met : instance.
 Proof. follows GbtSurfaces.Section_3_4_proofs.eq_25_4_c.met. Qed.
 End eq_25_4_c.
 
+Module thm_4_degree.
+Import GbtSurfaces.Section_3_4_printed.thm_4_degree.
+Theorem refuted : ~ statement.
+Proof. follows GbtSurfaces.Section_3_4_proofs.thm_4_degree.refuted. Qed.
+End thm_4_degree.
+
 Module sec_3_4_features_a.
 Import GbtSurfaces.Section_3_4_printed.sec_3_4_features_a.
 Theorem proved : statement.

@@ -47,7 +47,7 @@ Import GbtSurfaces.Section_3_4.prop_3_5.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement swung turn]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (1), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8); met) | (exists (1), (1), (1), (1), (1); met) | (exists (1), (1), (1), (0), (0); met)]. Qed.
+Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (3), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8); met) | (exists (1), (1), (1), (1), (1); met) | (exists (1), (1), (0), (0), (0); met)]. Qed.
 End prop_3_5.
 
 Module prop_3_6_1.
@@ -63,7 +63,7 @@ Import GbtSurfaces.Section_3_4.prop_3_6_2.
 Theorem proved : statement.
 Proof. cbv beta zeta delta [statement swung turn]; identity. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (1), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8); met) | (exists (1), (1), (1), (1), (1); met) | (exists (1), (1), (1), (0), (0); met)]. Qed.
+Proof. cbv beta zeta delta [instance swung turn]; first [(exists (1), (3), (4), (5), (6); met) | (exists (1), (0), (0), (0), (0); met) | (exists (13), (8), (8), (6), (8); met) | (exists (1), (1), (1), (1), (1); met) | (exists (1), (1), (0), (0), (0); met)]. Qed.
 End prop_3_6_2.
 
 Module eq_23.
@@ -199,6 +199,12 @@ Proof. cbv beta zeta delta [statement f FX FZ FU FV swung]; symbolic. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance f FX FZ FU FV swung]; first [(exists (2)%Z, (2)%Z, (fun _ => 4), (fun _ => 5), (fun _ => 6), (fun _ => 7), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (2)%Z, (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 9 * i0 + 7)%Z), (9), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 1), (fun _ => 1), (fun _ => 1), (fun _ => 1), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (2)%Z, (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
 End eq_25_4_c.
+
+Module thm_4_degree.
+Import GbtSurfaces.Section_3_4.thm_4_degree.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no ((2))%Z ((3))%Z). Qed.
+End thm_4_degree.
 
 Module sec_3_4_features_a.
 Import GbtSurfaces.Section_3_4.sec_3_4_features_a.

@@ -123,7 +123,7 @@ End eq_29.
 
 Module eq_30.
 (* gbt-surfaces/eq-30, Sect. 3.5, Theorem 5, eq. (30)
-   printed: T_swept(z,z_1,μ,ν,μ_1,ν_1) = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Qhat_{k,l}, z, z_1 ∈ [0,1], Qhat_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n)
+   printed: T_swept(z,z_1,μ,ν,μ_1,ν_1) = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Q̂_{k,l}, z, z_1 ∈ [0,1], Q̂_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n)
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) == T(z, z1) *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
@@ -231,7 +231,7 @@ End eq_31_4.
 
 Module eq_31_5.
 (* gbt-surfaces/eq-31.5, Sect. 3.5, proof of Theorem 5, eq. (31), fifth and sixth line
-   printed: = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) (Q_{l,n} + Q_{k,m}) = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Qhat_{k,l}
+   printed: = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) (Q_{l,n} + Q_{k,m}) = sum_{k=0}^{m} sum_{l=0}^{n} f_{k,m}(z) f_{l,n}(z_1) Q̂_{k,l}
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*B[l])) + sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*A[k])) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(B[l] + A[k]))) *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
@@ -417,7 +417,7 @@ End prop_3_7_2b.
 
 Module alg_5_a.
 (* gbt-surfaces/alg-5.a, Sect. 3.5, Algorithm 5, steps 1 to 4
-   printed: 1. Consider a SC which sweeps to the trajectory curve (both GBT-Bézier curves). 2. Construct by using (30). 3. Follow the pattern Qhat_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n), where Q_{k,m}, Q_{l,n} are the control points of section and TCs. 4. Draw with different values of μ, ν in [-1, 1].
+   printed: 1. Consider a SC which sweeps to the trajectory curve (both GBT-Bézier curves). 2. Construct by using (30). 3. Follow the pattern Q̂_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n), where Q_{k,m}, Q_{l,n} are the control points of section and TCs. 4. Draw with different values of μ, ν in [-1, 1].
    read as: The pattern of step 3 gives the swept surface.
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) == T(z, z1) *)
 Definition statement : Prop :=

@@ -93,6 +93,47 @@ exists (z1 : R),
   (1 - z1) ^ 2 + z1 ^ 2 <> 0.
 End sec_3_6_rounding_rational.
 
+Module sec_3_6_revolving.
+(* gbt-surfaces/sec-3.6.revolving, Sect. 3.6, first paragraph
+   printed: Rotation surfaces are created by revolving a curve along a straight line in space with a constant angle.
+   read as: About the Z axis, by (32): each point (x, 0, w) of the generating line keeps its height and its distance from the axis, and is turned by the same angle φ.
+   stated: turned[3] == w and turned[1]^2 + turned[2]^2 == x^2 and turned[1]*x == x^2*cos(phi) and turned[2]*x == x^2*sin(phi) *)
+Definition turned (phi : R) (w : R) (x : R) : list R :=
+  [x * cos phi; x * sin phi; w].
+Definition statement : Prop :=
+forall (phi : R) (w : R) (x : R),
+  0 < phi <= 2 * PI ->
+  entry (turned phi w x) 3 = w /\ entry (turned phi w x) 1 ^ 2 + entry (turned phi w x) 2 ^ 2 = x ^ 2 /\ entry (turned phi w x) 1 * x = x ^ 2 * cos phi /\ entry (turned phi w x) 2 * x = x ^ 2 * sin phi.
+Definition instance : Prop :=
+exists (phi : R) (w : R) (x : R),
+  0 < phi <= 2 * PI.
+End sec_3_6_revolving.
+
+Module sec_3_6_plane_generating_line.
+(* gbt-surfaces/sec-3.6.plane.generating line, Sect. 3.6, first paragraph; repeated in Algorithm 6
+   printed: a rotation surface R_rotation can be constructed in the XOZ plane
+   read as: The generating line lies in the plane XOZ, and the plane cuts the surface in it and in its mirror image.
+   stated: (printed*[x, 0, w])[2] == 0 implies x == 0 or sin(phi) == 0 *)
+Definition statement : Prop :=
+forall (phi : R) (psi : R) (w : R) (x : R),
+  0 < phi <= 2 * PI ->
+  entry (mvec (printed_ phi psi) [x; 0; w]) 2 = 0 -> x = 0 \/ sin phi = 0.
+Definition instance : Prop :=
+exists (phi : R) (psi : R) (w : R) (x : R),
+  0 < phi <= 2 * PI.
+End sec_3_6_plane_generating_line.
+
+Module sec_3_6_plane_surface.
+(* gbt-surfaces/sec-3.6.plane.surface, Sect. 3.6, first paragraph; repeated in Algorithm 6
+   printed: a rotation surface R_rotation can be constructed in the XOZ plane
+   read as: The surface lies in the plane XOZ.
+   stated: [x*cos(phi), x*sin(phi), w][2] == 0 *)
+Definition statement : Prop :=
+forall (phi : R) (w : R) (x : R),
+  0 < phi <= 2 * PI ->
+  entry [x * cos phi; x * sin phi; w] 2 = 0.
+End sec_3_6_plane_surface.
+
 Module sec_3_6_c1c2.
 (* gbt-surfaces/sec-3.6.c1c2, Sect. 3.6, first paragraph
    printed: This portion is especially focused on how to develop a C1 or C2 continuous 3D mathematical model of GBT-Bézier rotation surface by taking a combined GBT-Bézier curve.

@@ -33,6 +33,28 @@ Theorem met : instance.
 Proof. follows GbtSurfaces.Section_3_6_proofs.sec_3_6_rounding_rational.met. Qed.
 End sec_3_6_rounding_rational.
 
+Module sec_3_6_revolving.
+Import GbtSurfaces.Section_3_6_printed.sec_3_6_revolving.
+Theorem proved : statement.
+Proof. follows GbtSurfaces.Section_3_6_proofs.sec_3_6_revolving.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtSurfaces.Section_3_6_proofs.sec_3_6_revolving.met. Qed.
+End sec_3_6_revolving.
+
+Module sec_3_6_plane_generating_line.
+Import GbtSurfaces.Section_3_6_printed.sec_3_6_plane_generating_line.
+Theorem proved : statement.
+Proof. follows GbtSurfaces.Section_3_6_proofs.sec_3_6_plane_generating_line.proved. Qed.
+Theorem met : instance.
+Proof. follows GbtSurfaces.Section_3_6_proofs.sec_3_6_plane_generating_line.met. Qed.
+End sec_3_6_plane_generating_line.
+
+Module sec_3_6_plane_surface.
+Import GbtSurfaces.Section_3_6_printed.sec_3_6_plane_surface.
+Theorem refuted : ~ statement.
+Proof. follows GbtSurfaces.Section_3_6_proofs.sec_3_6_plane_surface.refuted. Qed.
+End sec_3_6_plane_surface.
+
 Module sec_3_6_c1c2.
 Import GbtSurfaces.Section_3_6_printed.sec_3_6_c1c2.
 Theorem proved : statement.

@@ -34,6 +34,28 @@ Theorem met : instance.
 Proof. cbv beta zeta delta [instance cosine sine]; first [(exists (1 / 3); met) | (exists (1 / 2); met) | (exists (1 / 3); met) | (exists (1 / 3); met) | (exists (1 / 3); met)]. Qed.
 End sec_3_6_rounding_rational.
 
+Module sec_3_6_revolving.
+Import GbtSurfaces.Section_3_6.sec_3_6_revolving.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement turned]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance turned]; first [(exists ((2 / 3) * PI), (3), (4); met) | (exists (1 * PI), (0), (0); met) | (exists ((2 / 3) * PI), (8), (8); met) | (exists ((2 / 3) * PI), (1), (1); met) | (exists ((2 / 3) * PI), (1), (0); met)]. Qed.
+End sec_3_6_revolving.
+
+Module sec_3_6_plane_generating_line.
+Import GbtSurfaces.Section_3_6.sec_3_6_plane_generating_line.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement printed_]; identity. Qed.
+Theorem met : instance.
+Proof. cbv beta zeta delta [instance printed_]; first [(exists ((2 / 3) * PI), (3), (4), (5); met) | (exists (1 * PI), (0), (0), (0); met) | (exists ((2 / 3) * PI), (8), (8), (6); met) | (exists ((2 / 3) * PI), (1), (1), (1); met) | (exists ((2 / 3) * PI), (1), (0), (0); met)]. Qed.
+End sec_3_6_plane_generating_line.
+
+Module sec_3_6_plane_surface.
+Import GbtSurfaces.Section_3_6.sec_3_6_plane_surface.
+Theorem refuted : ~ statement.
+Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no (1/3*PI) (0) (1)). Qed.
+End sec_3_6_plane_surface.
+
 Module sec_3_6_c1c2.
 Import GbtSurfaces.Section_3_6.sec_3_6_c1c2.
 Theorem proved : statement.

@@ -166,6 +166,7 @@ Check (GbtSurfaces.Section_2_1_proofs.thm_1_5_d3_1_values.met : GbtSurfaces.Sect
 Check (GbtSurfaces.Section_2_2_printed_proofs.def_2_points_one_letter.refuted : ~ GbtSurfaces.Section_2_2_printed.def_2_points_one_letter.statement).
 Check (GbtSurfaces.Section_2_2_printed_proofs.def_2_points_two_letters.proved : GbtSurfaces.Section_2_2_printed.def_2_points_two_letters.statement).
 Check (GbtSurfaces.Section_2_2_printed_proofs.def_2_points_two_letters.met : GbtSurfaces.Section_2_2_printed.def_2_points_two_letters.instance).
+Check (GbtSurfaces.Section_2_2_printed_proofs.def_2_points.refuted : ~ GbtSurfaces.Section_2_2_printed.def_2_points.statement).
 Check (GbtSurfaces.Section_2_2_printed_proofs.eq_3.proved : GbtSurfaces.Section_2_2_printed.eq_3.statement).
 Check (GbtSurfaces.Section_2_2_printed_proofs.eq_3.met : GbtSurfaces.Section_2_2_printed.eq_3.instance).
 Check (GbtSurfaces.Section_2_2_printed_proofs.sec_2_2_symmetry_as_in_Theorem_1.proved : GbtSurfaces.Section_2_2_printed.sec_2_2_symmetry_as_in_Theorem_1.statement).
@@ -274,6 +275,7 @@ Check (GbtSurfaces.Section_2_2_printed_proofs.thm_2_c1.met : GbtSurfaces.Section
 Check (GbtSurfaces.Section_2_2_proofs.def_2_points_one_letter.refuted : ~ GbtSurfaces.Section_2_2.def_2_points_one_letter.statement).
 Check (GbtSurfaces.Section_2_2_proofs.def_2_points_two_letters.proved : GbtSurfaces.Section_2_2.def_2_points_two_letters.statement).
 Check (GbtSurfaces.Section_2_2_proofs.def_2_points_two_letters.met : GbtSurfaces.Section_2_2.def_2_points_two_letters.instance).
+Check (GbtSurfaces.Section_2_2_proofs.def_2_points.refuted : ~ GbtSurfaces.Section_2_2.def_2_points.statement).
 Check (GbtSurfaces.Section_2_2_proofs.eq_3.proved : GbtSurfaces.Section_2_2.eq_3.statement).
 Check (GbtSurfaces.Section_2_2_proofs.eq_3.met : GbtSurfaces.Section_2_2.eq_3.instance).
 Check (GbtSurfaces.Section_2_2_proofs.sec_2_2_symmetry_as_in_Theorem_1.proved : GbtSurfaces.Section_2_2.sec_2_2_symmetry_as_in_Theorem_1.statement).
@@ -617,6 +619,9 @@ Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_sixteen.proved : GbtSurfaces.Sectio
 Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_coplanar.proved : GbtSurfaces.Section_3_2.ex_3_2_coplanar.statement).
 Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.proved : GbtSurfaces.Section_3_2.ex_3_2_noncoplanar_possible.statement).
 Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.met : GbtSurfaces.Section_3_2.ex_3_2_noncoplanar_possible.instance).
+Check (GbtSurfaces.Section_3_3_printed_proofs.eq_19_literal.refuted : ~ GbtSurfaces.Section_3_3_printed.eq_19_literal.statement).
+Check (GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.proved : GbtSurfaces.Section_3_3_printed.eq_19_m_is_4.statement).
+Check (GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.met : GbtSurfaces.Section_3_3_printed.eq_19_m_is_4.instance).
 Check (GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_generatrix.proved : GbtSurfaces.Section_3_3_printed.sec_3_3_generatrix.statement).
 Check (GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_generatrix.met : GbtSurfaces.Section_3_3_printed.sec_3_3_generatrix.instance).
 Check (GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_same_degree_literal.refuted : ~ GbtSurfaces.Section_3_3_printed.sec_3_3_same_degree_literal.statement).
@@ -661,9 +666,7 @@ Check (GbtSurfaces.Section_3_3_printed_proofs.alg_3_b.refuted : ~ GbtSurfaces.Se
 Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_curves.refuted : ~ GbtSurfaces.Section_3_3_printed.ex_3_3_curves.statement).
 Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_curves_corrected.proved : GbtSurfaces.Section_3_3_printed.ex_3_3_curves_corrected.statement).
 Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_curves_corrected.met : GbtSurfaces.Section_3_3_printed.ex_3_3_curves_corrected.instance).
-Check (GbtSurfaces.Section_3_3_printed_proofs.eq_19_literal.refuted : ~ GbtSurfaces.Section_3_3_printed.eq_19_literal.statement).
-Check (GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.proved : GbtSurfaces.Section_3_3_printed.eq_19_m_is_4.statement).
-Check (GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.met : GbtSurfaces.Section_3_3_printed.eq_19_m_is_4.instance).
+Check (GbtSurfaces.Section_3_3_printed_proofs.eq_19.refuted : ~ GbtSurfaces.Section_3_3_printed.eq_19.statement).
 Check (GbtSurfaces.Section_3_3_printed_proofs.eq_19_tensor.refuted : ~ GbtSurfaces.Section_3_3_printed.eq_19_tensor.statement).
 Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_0.refuted : ~ GbtSurfaces.Section_3_3_printed.ex_3_3_gl_0.statement).
 Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_0_corrected.proved : GbtSurfaces.Section_3_3_printed.ex_3_3_gl_0_corrected.statement).
@@ -673,6 +676,9 @@ Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_1_corrected.proved : Gbt
 Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_1_corrected.met : GbtSurfaces.Section_3_3_printed.ex_3_3_gl_1_corrected.instance).
 Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_composite.proved : GbtSurfaces.Section_3_3_printed.ex_3_3_composite.statement).
 Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_composite.met : GbtSurfaces.Section_3_3_printed.ex_3_3_composite.instance).
+Check (GbtSurfaces.Section_3_3_proofs.eq_19_literal.refuted : ~ GbtSurfaces.Section_3_3.eq_19_literal.statement).
+Check (GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.proved : GbtSurfaces.Section_3_3.eq_19_m_is_4.statement).
+Check (GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.met : GbtSurfaces.Section_3_3.eq_19_m_is_4.instance).
 Check (GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.proved : GbtSurfaces.Section_3_3.sec_3_3_generatrix.statement).
 Check (GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.met : GbtSurfaces.Section_3_3.sec_3_3_generatrix.instance).
 Check (GbtSurfaces.Section_3_3_proofs.sec_3_3_same_degree_literal.refuted : ~ GbtSurfaces.Section_3_3.sec_3_3_same_degree_literal.statement).
@@ -717,9 +723,7 @@ Check (GbtSurfaces.Section_3_3_proofs.alg_3_b.refuted : ~ GbtSurfaces.Section_3_
 Check (GbtSurfaces.Section_3_3_proofs.ex_3_3_curves.refuted : ~ GbtSurfaces.Section_3_3.ex_3_3_curves.statement).
 Check (GbtSurfaces.Section_3_3_proofs.ex_3_3_curves_corrected.proved : GbtSurfaces.Section_3_3.ex_3_3_curves_corrected.statement).
 Check (GbtSurfaces.Section_3_3_proofs.ex_3_3_curves_corrected.met : GbtSurfaces.Section_3_3.ex_3_3_curves_corrected.instance).
-Check (GbtSurfaces.Section_3_3_proofs.eq_19_literal.refuted : ~ GbtSurfaces.Section_3_3.eq_19_literal.statement).
-Check (GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.proved : GbtSurfaces.Section_3_3.eq_19_m_is_4.statement).
-Check (GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.met : GbtSurfaces.Section_3_3.eq_19_m_is_4.instance).
+Check (GbtSurfaces.Section_3_3_proofs.eq_19.refuted : ~ GbtSurfaces.Section_3_3.eq_19.statement).
 Check (GbtSurfaces.Section_3_3_proofs.eq_19_tensor.refuted : ~ GbtSurfaces.Section_3_3.eq_19_tensor.statement).
 Check (GbtSurfaces.Section_3_3_proofs.ex_3_3_gl_0.refuted : ~ GbtSurfaces.Section_3_3.ex_3_3_gl_0.statement).
 Check (GbtSurfaces.Section_3_3_proofs.ex_3_3_gl_0_corrected.proved : GbtSurfaces.Section_3_3.ex_3_3_gl_0_corrected.statement).
@@ -775,6 +779,7 @@ Check (GbtSurfaces.Section_3_4_printed_proofs.eq_25_4_b_corrected.proved : GbtSu
 Check (GbtSurfaces.Section_3_4_printed_proofs.eq_25_4_b_corrected.met : GbtSurfaces.Section_3_4_printed.eq_25_4_b_corrected.instance).
 Check (GbtSurfaces.Section_3_4_printed_proofs.eq_25_4_c.proved : GbtSurfaces.Section_3_4_printed.eq_25_4_c.statement).
 Check (GbtSurfaces.Section_3_4_printed_proofs.eq_25_4_c.met : GbtSurfaces.Section_3_4_printed.eq_25_4_c.instance).
+Check (GbtSurfaces.Section_3_4_printed_proofs.thm_4_degree.refuted : ~ GbtSurfaces.Section_3_4_printed.thm_4_degree.statement).
 Check (GbtSurfaces.Section_3_4_printed_proofs.sec_3_4_features_a.proved : GbtSurfaces.Section_3_4_printed.sec_3_4_features_a.statement).
 Check (GbtSurfaces.Section_3_4_printed_proofs.sec_3_4_features_a.met : GbtSurfaces.Section_3_4_printed.sec_3_4_features_a.instance).
 Check (GbtSurfaces.Section_3_4_printed_proofs.sec_3_4_continuity_pc.proved : GbtSurfaces.Section_3_4_printed.sec_3_4_continuity_pc.statement).
@@ -844,6 +849,7 @@ Check (GbtSurfaces.Section_3_4_proofs.eq_25_4_b_corrected.proved : GbtSurfaces.S
 Check (GbtSurfaces.Section_3_4_proofs.eq_25_4_b_corrected.met : GbtSurfaces.Section_3_4.eq_25_4_b_corrected.instance).
 Check (GbtSurfaces.Section_3_4_proofs.eq_25_4_c.proved : GbtSurfaces.Section_3_4.eq_25_4_c.statement).
 Check (GbtSurfaces.Section_3_4_proofs.eq_25_4_c.met : GbtSurfaces.Section_3_4.eq_25_4_c.instance).
+Check (GbtSurfaces.Section_3_4_proofs.thm_4_degree.refuted : ~ GbtSurfaces.Section_3_4.thm_4_degree.statement).
 Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_features_a.proved : GbtSurfaces.Section_3_4.sec_3_4_features_a.statement).
 Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_features_a.met : GbtSurfaces.Section_3_4.sec_3_4_features_a.instance).
 Check (GbtSurfaces.Section_3_4_proofs.sec_3_4_continuity_pc.proved : GbtSurfaces.Section_3_4.sec_3_4_continuity_pc.statement).
@@ -966,6 +972,11 @@ Check (GbtSurfaces.Section_3_6_printed_proofs.eq_32_components.proved : GbtSurfa
 Check (GbtSurfaces.Section_3_6_printed_proofs.eq_32_components.met : GbtSurfaces.Section_3_6_printed.eq_32_components.instance).
 Check (GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_rounding_rational.proved : GbtSurfaces.Section_3_6_printed.sec_3_6_rounding_rational.statement).
 Check (GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_rounding_rational.met : GbtSurfaces.Section_3_6_printed.sec_3_6_rounding_rational.instance).
+Check (GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_revolving.proved : GbtSurfaces.Section_3_6_printed.sec_3_6_revolving.statement).
+Check (GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_revolving.met : GbtSurfaces.Section_3_6_printed.sec_3_6_revolving.instance).
+Check (GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_plane_generating_line.proved : GbtSurfaces.Section_3_6_printed.sec_3_6_plane_generating_line.statement).
+Check (GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_plane_generating_line.met : GbtSurfaces.Section_3_6_printed.sec_3_6_plane_generating_line.instance).
+Check (GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_plane_surface.refuted : ~ GbtSurfaces.Section_3_6_printed.sec_3_6_plane_surface.statement).
 Check (GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_c1c2.proved : GbtSurfaces.Section_3_6_printed.sec_3_6_c1c2.statement).
 Check (GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_c1c2.met : GbtSurfaces.Section_3_6_printed.sec_3_6_c1c2.instance).
 Check (GbtSurfaces.Section_3_6_printed_proofs.eq_33_T.proved : GbtSurfaces.Section_3_6_printed.eq_33_T.statement).
@@ -1010,6 +1021,11 @@ Check (GbtSurfaces.Section_3_6_proofs.eq_32_components.proved : GbtSurfaces.Sect
 Check (GbtSurfaces.Section_3_6_proofs.eq_32_components.met : GbtSurfaces.Section_3_6.eq_32_components.instance).
 Check (GbtSurfaces.Section_3_6_proofs.sec_3_6_rounding_rational.proved : GbtSurfaces.Section_3_6.sec_3_6_rounding_rational.statement).
 Check (GbtSurfaces.Section_3_6_proofs.sec_3_6_rounding_rational.met : GbtSurfaces.Section_3_6.sec_3_6_rounding_rational.instance).
+Check (GbtSurfaces.Section_3_6_proofs.sec_3_6_revolving.proved : GbtSurfaces.Section_3_6.sec_3_6_revolving.statement).
+Check (GbtSurfaces.Section_3_6_proofs.sec_3_6_revolving.met : GbtSurfaces.Section_3_6.sec_3_6_revolving.instance).
+Check (GbtSurfaces.Section_3_6_proofs.sec_3_6_plane_generating_line.proved : GbtSurfaces.Section_3_6.sec_3_6_plane_generating_line.statement).
+Check (GbtSurfaces.Section_3_6_proofs.sec_3_6_plane_generating_line.met : GbtSurfaces.Section_3_6.sec_3_6_plane_generating_line.instance).
+Check (GbtSurfaces.Section_3_6_proofs.sec_3_6_plane_surface.refuted : ~ GbtSurfaces.Section_3_6.sec_3_6_plane_surface.statement).
 Check (GbtSurfaces.Section_3_6_proofs.sec_3_6_c1c2.proved : GbtSurfaces.Section_3_6.sec_3_6_c1c2.statement).
 Check (GbtSurfaces.Section_3_6_proofs.sec_3_6_c1c2.met : GbtSurfaces.Section_3_6.sec_3_6_c1c2.instance).
 Check (GbtSurfaces.Section_3_6_proofs.eq_33_T.proved : GbtSurfaces.Section_3_6.eq_33_T.statement).
@@ -1213,6 +1229,7 @@ let _ := GbtSurfaces.Section_2_1_proofs.thm_1_5_d3_1_values.met in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.def_2_points_one_letter.refuted in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.def_2_points_two_letters.proved in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.def_2_points_two_letters.met in
+let _ := GbtSurfaces.Section_2_2_printed_proofs.def_2_points.refuted in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.eq_3.proved in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.eq_3.met in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.sec_2_2_symmetry_as_in_Theorem_1.proved in
@@ -1321,6 +1338,7 @@ let _ := GbtSurfaces.Section_2_2_printed_proofs.thm_2_c1.met in
 let _ := GbtSurfaces.Section_2_2_proofs.def_2_points_one_letter.refuted in
 let _ := GbtSurfaces.Section_2_2_proofs.def_2_points_two_letters.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.def_2_points_two_letters.met in
+let _ := GbtSurfaces.Section_2_2_proofs.def_2_points.refuted in
 let _ := GbtSurfaces.Section_2_2_proofs.eq_3.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.eq_3.met in
 let _ := GbtSurfaces.Section_2_2_proofs.sec_2_2_symmetry_as_in_Theorem_1.proved in
@@ -1664,6 +1682,9 @@ let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_sixteen.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_coplanar.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.met in
+let _ := GbtSurfaces.Section_3_3_printed_proofs.eq_19_literal.refuted in
+let _ := GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.proved in
+let _ := GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.met in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_generatrix.proved in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_generatrix.met in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_same_degree_literal.refuted in
@@ -1708,9 +1729,7 @@ let _ := GbtSurfaces.Section_3_3_printed_proofs.alg_3_b.refuted in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_curves.refuted in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_curves_corrected.proved in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_curves_corrected.met in
-let _ := GbtSurfaces.Section_3_3_printed_proofs.eq_19_literal.refuted in
-let _ := GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.proved in
-let _ := GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.met in
+let _ := GbtSurfaces.Section_3_3_printed_proofs.eq_19.refuted in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.eq_19_tensor.refuted in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_0.refuted in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_0_corrected.proved in
@@ -1720,6 +1739,9 @@ let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_1_corrected.proved in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_1_corrected.met in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_composite.proved in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_composite.met in
+let _ := GbtSurfaces.Section_3_3_proofs.eq_19_literal.refuted in
+let _ := GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.proved in
+let _ := GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.met in
 let _ := GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.proved in
 let _ := GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.met in
 let _ := GbtSurfaces.Section_3_3_proofs.sec_3_3_same_degree_literal.refuted in
@@ -1764,9 +1786,7 @@ let _ := GbtSurfaces.Section_3_3_proofs.alg_3_b.refuted in
 let _ := GbtSurfaces.Section_3_3_proofs.ex_3_3_curves.refuted in
 let _ := GbtSurfaces.Section_3_3_proofs.ex_3_3_curves_corrected.proved in
 let _ := GbtSurfaces.Section_3_3_proofs.ex_3_3_curves_corrected.met in
-let _ := GbtSurfaces.Section_3_3_proofs.eq_19_literal.refuted in
-let _ := GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.proved in
-let _ := GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.met in
+let _ := GbtSurfaces.Section_3_3_proofs.eq_19.refuted in
 let _ := GbtSurfaces.Section_3_3_proofs.eq_19_tensor.refuted in
 let _ := GbtSurfaces.Section_3_3_proofs.ex_3_3_gl_0.refuted in
 let _ := GbtSurfaces.Section_3_3_proofs.ex_3_3_gl_0_corrected.proved in
@@ -1822,6 +1842,7 @@ let _ := GbtSurfaces.Section_3_4_printed_proofs.eq_25_4_b_corrected.proved in
 let _ := GbtSurfaces.Section_3_4_printed_proofs.eq_25_4_b_corrected.met in
 let _ := GbtSurfaces.Section_3_4_printed_proofs.eq_25_4_c.proved in
 let _ := GbtSurfaces.Section_3_4_printed_proofs.eq_25_4_c.met in
+let _ := GbtSurfaces.Section_3_4_printed_proofs.thm_4_degree.refuted in
 let _ := GbtSurfaces.Section_3_4_printed_proofs.sec_3_4_features_a.proved in
 let _ := GbtSurfaces.Section_3_4_printed_proofs.sec_3_4_features_a.met in
 let _ := GbtSurfaces.Section_3_4_printed_proofs.sec_3_4_continuity_pc.proved in
@@ -1891,6 +1912,7 @@ let _ := GbtSurfaces.Section_3_4_proofs.eq_25_4_b_corrected.proved in
 let _ := GbtSurfaces.Section_3_4_proofs.eq_25_4_b_corrected.met in
 let _ := GbtSurfaces.Section_3_4_proofs.eq_25_4_c.proved in
 let _ := GbtSurfaces.Section_3_4_proofs.eq_25_4_c.met in
+let _ := GbtSurfaces.Section_3_4_proofs.thm_4_degree.refuted in
 let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_features_a.proved in
 let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_features_a.met in
 let _ := GbtSurfaces.Section_3_4_proofs.sec_3_4_continuity_pc.proved in
@@ -2013,6 +2035,11 @@ let _ := GbtSurfaces.Section_3_6_printed_proofs.eq_32_components.proved in
 let _ := GbtSurfaces.Section_3_6_printed_proofs.eq_32_components.met in
 let _ := GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_rounding_rational.proved in
 let _ := GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_rounding_rational.met in
+let _ := GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_revolving.proved in
+let _ := GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_revolving.met in
+let _ := GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_plane_generating_line.proved in
+let _ := GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_plane_generating_line.met in
+let _ := GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_plane_surface.refuted in
 let _ := GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_c1c2.proved in
 let _ := GbtSurfaces.Section_3_6_printed_proofs.sec_3_6_c1c2.met in
 let _ := GbtSurfaces.Section_3_6_printed_proofs.eq_33_T.proved in
@@ -2057,6 +2084,11 @@ let _ := GbtSurfaces.Section_3_6_proofs.eq_32_components.proved in
 let _ := GbtSurfaces.Section_3_6_proofs.eq_32_components.met in
 let _ := GbtSurfaces.Section_3_6_proofs.sec_3_6_rounding_rational.proved in
 let _ := GbtSurfaces.Section_3_6_proofs.sec_3_6_rounding_rational.met in
+let _ := GbtSurfaces.Section_3_6_proofs.sec_3_6_revolving.proved in
+let _ := GbtSurfaces.Section_3_6_proofs.sec_3_6_revolving.met in
+let _ := GbtSurfaces.Section_3_6_proofs.sec_3_6_plane_generating_line.proved in
+let _ := GbtSurfaces.Section_3_6_proofs.sec_3_6_plane_generating_line.met in
+let _ := GbtSurfaces.Section_3_6_proofs.sec_3_6_plane_surface.refuted in
 let _ := GbtSurfaces.Section_3_6_proofs.sec_3_6_c1c2.proved in
 let _ := GbtSurfaces.Section_3_6_proofs.sec_3_6_c1c2.met in
 let _ := GbtSurfaces.Section_3_6_proofs.eq_33_T.proved in
