@@ -149,7 +149,11 @@ fn words_are_decided(papers: &[Paper], run: &Run) -> Result<(), Failure> {
     for (paper, outcome) in papers.iter().zip(&run.papers) {
         for claim in &paper.claims {
             let id = claim.entry.id.get_ref();
-            let Some(found) = outcome.claims.iter().find(|of| of.claim.id == *id) else {
+            let Some(found) = outcome
+                .claims
+                .iter()
+                .find(|decided| decided.claim.id == *id)
+            else {
                 continue;
             };
             let Some(words) = corrected_words(std::slice::from_ref(paper), claim, found) else {

@@ -113,10 +113,10 @@ pub fn text(explanation: &Explanation) -> String {
 
 /// A text that begins with the label of a verdict.
 fn coloured(text: &str) -> String {
-    let found = VERDICTS.iter().find_map(|of| {
-        let rest = text.strip_prefix(verdict(*of).label)?;
+    let found = VERDICTS.iter().find_map(|listed| {
+        let rest = text.strip_prefix(verdict(*listed).label)?;
         let whole = !rest.starts_with(char::is_alphabetic);
-        whole.then(|| format!("{}{rest}", terminal::verdict(*of)))
+        whole.then(|| format!("{}{rest}", terminal::verdict(*listed)))
     });
     found.unwrap_or_else(|| text.to_owned())
 }

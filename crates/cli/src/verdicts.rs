@@ -137,14 +137,14 @@ fn verdicts(paper: &PaperOutcome, findings: &BTreeMap<String, String>) -> String
 fn evidence(outcome: &Outcome) -> &'static str {
     outcome
         .evidence()
-        .map_or("", |of| glossary::evidence(of).label)
+        .map_or("", |own| glossary::evidence(own).label)
 }
 
 fn counts<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
     let tally = Tally::new(outcomes);
     let mut table = terminal::table();
     let mut header = vec!["verdict".to_owned(), "claims".to_owned()];
-    header.extend(tally.evidence.iter().map(|of| of.label.to_owned()));
+    header.extend(tally.evidence.iter().map(|own| own.label.to_owned()));
     header.push("no evidence".to_owned());
     table.set_header(header);
     for row in &tally.rows {

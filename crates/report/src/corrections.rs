@@ -70,7 +70,7 @@ pub(crate) fn corrections(
                 })
             };
             let garbled = fault.shows.iter();
-            let garbled = garbled.filter_map(|of| Some((of, of.claim.garbled.as_deref()?)));
+            let garbled = garbled.filter_map(|own| Some((own, own.claim.garbled.as_deref()?)));
             Some(Corrected {
                 item: item(&fault, paper)?,
                 shows: fault.shows.iter().filter_map(shown).collect(),

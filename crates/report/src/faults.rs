@@ -31,7 +31,10 @@ impl<'p> PlacedFault<'p> {
     ) -> Self {
         let (mut own, mut resting, mut falling) =
             (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
-        for claim in shows.iter().filter(|of| is_limited(of) || is_refuted(of)) {
+        for claim in shows
+            .iter()
+            .filter(|shown| is_limited(shown) || is_refuted(shown))
+        {
             own.insert(claim.claim.id.as_str());
             let found = dependents(claim, paper);
             resting.extend(found.resting);

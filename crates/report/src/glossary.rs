@@ -154,7 +154,9 @@ pub fn verdict_on(outcome: &Outcome) -> Term {
 #[must_use]
 pub fn denied(outcome: &Outcome) -> bool {
     outcome.verdict() == Verdict::False
-        && outcome.evidence().is_some_and(|of| of != Evidence::Witness)
+        && outcome
+            .evidence()
+            .is_some_and(|own| own != Evidence::Witness)
 }
 
 /// Formulas that nobody printed and that have more characters are described by their number of terms.

@@ -225,7 +225,7 @@ impl<'a> From<&'a Outcome> for Entry<'a> {
             id: &outcome.claim.id,
             kind: glossary::kind(outcome.claim.kind).key,
             verdict: glossary::verdict(outcome.verdict()).key,
-            evidence: outcome.evidence().map(|of| glossary::evidence(of).key),
+            evidence: outcome.evidence().map(|own| glossary::evidence(own).key),
             kernel: None,
             part_of: outcome.claim.part_of.as_deref(),
             printed: &outcome.claim.printed,

@@ -86,7 +86,7 @@ impl Manuscript {
     ///
     /// [`ReportError::Json`] when the reports cannot be written as data.
     pub fn summary(reports: &[Report]) -> Result<Self, ReportError> {
-        let papers: Vec<&Report> = reports.iter().filter(|of| !of.is_example()).collect();
+        let papers: Vec<&Report> = reports.iter().filter(|own| !own.is_example()).collect();
         let data = Data {
             glossary: Glossary::new(),
             content: papers,

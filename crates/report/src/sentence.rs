@@ -361,7 +361,7 @@ pub(crate) fn denied(outcome: &Outcome) -> Option<String> {
         Some(integers) => format!("at {} ", words::certificate::values(integers)),
         None => String::new(),
     };
-    let statement = outcome.parsed().and_then(|of| expression(&of.text))?;
+    let statement = outcome.parsed().and_then(|own| expression(&own.text))?;
     let so = opposite(&statement).map(|so| text(&so));
     Some(match so {
         Some(so) if so.chars().count() <= MAX_LIST_LENGTH => format!("{place}`{so}` everywhere"),

@@ -42,11 +42,11 @@ pub(crate) fn dependents<'p>(outcome: &Outcome, paper: &'p PaperOutcome) -> Depe
     let resting = consequences(&outcome.claim.id, &all);
     let falling = resting
         .iter()
-        .filter(|of| of.fate == Fate::Falls && !has_other_fault(&of.id, outcome, &paper.faults))
-        .filter_map(|of| paper.claims.iter().find(|claim| claim.claim.id == of.id));
+        .filter(|own| own.fate == Fate::Falls && !has_other_fault(&own.id, outcome, &paper.faults))
+        .filter_map(|own| paper.claims.iter().find(|claim| claim.claim.id == own.id));
     Dependents {
         falling: falling.collect(),
-        resting: resting.iter().map(|of| of.id.clone()).collect(),
+        resting: resting.iter().map(|own| own.id.clone()).collect(),
     }
 }
 

@@ -76,15 +76,17 @@ impl Tally {
             |keep: &dyn Fn(&Outcome) -> bool| claims.iter().filter(|claim| keep(claim)).count();
         let occurring: Vec<_> = EVIDENCE
             .into_iter()
-            .filter(|of| claims.iter().any(|claim| claim.evidence() == Some(*of)))
+            .filter(|own| claims.iter().any(|claim| claim.evidence() == Some(*own)))
             .collect();
         let rows = VERDICTS.into_iter().map(|verdict| Row {
             verdict: glossary::verdict(verdict),
             count: count(&|claim| claim.verdict() == verdict),
             by_evidence: occurring
                 .iter()
-                .map(|of| {
-                    count(&|claim| claim.verdict() == verdict && claim.evidence() == Some(*of))
+                .map(|evidence| {
+                    count(&|claim| {
+                        claim.verdict() == verdict && claim.evidence() == Some(*evidence)
+                    })
                 })
                 .collect(),
             without: count(&|claim| claim.verdict() == verdict && claim.evidence().is_none()),

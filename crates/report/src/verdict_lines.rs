@@ -44,7 +44,7 @@ pub fn verdict_lines<'a>(
             glossary::verdict(outcome.verdict()).key,
             outcome
                 .evidence()
-                .map_or("", |of| glossary::evidence(of).key),
+                .map_or("", |own| glossary::evidence(own).key),
             answer(outcome.replay().map(|replay| replay.is_whole())),
             answer(outcome.net().map(|net| net.netted)),
             if accepted.contains(id) { "yes" } else { "" },

@@ -62,7 +62,7 @@ pub(crate) fn correction(
     let (printed, statement) = match (&marked, parsed) {
         (Some([old, new]), Some(parsed)) => (Some(view(old, parsed)), view(new, &repair.statement)),
         _ => (
-            parsed.map(|of| formula(of, names)),
+            parsed.map(|own| formula(own, names)),
             formula(&repair.statement, names),
         ),
     };

@@ -89,7 +89,7 @@ pub(crate) fn refused(document: &'static str, diagnostics: &[SourceDiagnostic]) 
     let messages = diagnostics
         .iter()
         .take(SHOWN)
-        .map(|of| of.message.to_string())
+        .map(|own| own.message.to_string())
         .collect();
     ReportError::Typeset { document, messages }
 }

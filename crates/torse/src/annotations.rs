@@ -152,7 +152,7 @@ fn noteworthy(outcome: &Outcome) -> Option<(AnnotationLevel, &'static str, Strin
         None => match outcome.verdict() {
             Verdict::False | Verdict::Misprint => {
                 let correction = outcome.correction();
-                let correction = correction.map(|of| format!("; true is {}", of.statement.text));
+                let correction = correction.map(|own| format!("; true is {}", own.statement.text));
                 let message = format!("{}{why}{}", verdict.label, correction.unwrap_or_default());
                 Some((AnnotationLevel::Warning, verdict.key, message))
             }

@@ -159,7 +159,9 @@ impl Decided {
     /// The evidence, in a word: `identity`, `witness` and others.
     #[must_use]
     pub fn evidence(&self) -> Option<&'static str> {
-        self.outcome.evidence().map(|of| glossary::evidence(of).key)
+        self.outcome
+            .evidence()
+            .map(|own| glossary::evidence(own).key)
     }
 
     /// The statement as it was understood.

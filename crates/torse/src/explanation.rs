@@ -166,7 +166,7 @@ impl Cut {
         note.gap();
         note.option(
             "evidence",
-            glossary::evidence_on(outcome).map(|of| format!("{}. {}", of.label, of.meaning)),
+            glossary::evidence_on(outcome).map(|own| format!("{}. {}", own.label, own.meaning)),
         );
         note.option("replayed", replayed(outcome));
         let unvisited = outcome.net().map(|net| net.unvisited.iter());
@@ -271,7 +271,7 @@ pub fn short(outcome: &Outcome) -> Explanation {
     note.gap();
     note.option(
         "evidence",
-        glossary::evidence_on(outcome).map(|of| of.label.to_owned()),
+        glossary::evidence_on(outcome).map(|own| own.label.to_owned()),
     );
     note.option("replayed", replayed(outcome));
     note.list("steps", counted(&words::steps(outcome)).into_iter());
@@ -463,7 +463,7 @@ fn of_one_coordinate<'o>(outcome: &'o Outcome, witness: &Witness) -> Vec<&'o str
     let names = of_any.map(|symbol| symbol.name.as_str());
     let is_given = |name: &str| {
         let mut members = witness.at.iter().map(|(of, _)| of.split('[').next());
-        members.any(|of| of == Some(name))
+        members.any(|own| own == Some(name))
     };
     names.filter(|name| is_given(name)).collect()
 }

@@ -31,7 +31,7 @@ pub fn restore(
     let mut corrected: BTreeMap<&String, Claim> = BTreeMap::new();
     let mut reworded: BTreeSet<&String> = BTreeSet::new();
     // Two faults may change the words of one claim: what one of them restates is decided.
-    let listed = paper.corrigenda.iter().flat_map(|of| &of.corrected);
+    let listed = paper.corrigenda.iter().flat_map(|own| &own.corrected);
     for of in listed {
         let id = of.claim.entry.id.get_ref();
         if !is_decidable(&of.claim) {
@@ -43,7 +43,7 @@ pub fn restore(
     reworded.retain(|id| !corrected.contains_key(id));
     for claim in &paper.claims {
         let id = claim.entry.id.get_ref();
-        let misprint = found(id).filter(|of| of.verdict() == Verdict::Misprint);
+        let misprint = found(id).filter(|own| own.verdict() == Verdict::Misprint);
         if let Some(outcome) = misprint
             && claim.entry.kind != Kind::Remark
             && !corrected.contains_key(id)

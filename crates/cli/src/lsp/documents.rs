@@ -168,9 +168,12 @@ mod tests {
             change(Some([9, 9, 9, 9]), "!"),
         ];
         assert_eq!(open.change(&uri(), edits), Ok(()));
-        assert_eq!(open.get(&uri()).map(|of| of.text.as_str()), Some("𝜇a\nb!"));
+        assert_eq!(
+            open.get(&uri()).map(|own| own.text.as_str()),
+            Some("𝜇a\nb!")
+        );
         assert_eq!(open.change(&uri(), vec![change(None, "new")]), Ok(()));
-        assert_eq!(open.get(&uri()).map(|of| of.text.as_str()), Some("new"));
+        assert_eq!(open.get(&uri()).map(|own| own.text.as_str()), Some("new"));
     }
 
     #[test]
@@ -187,7 +190,7 @@ mod tests {
             open.change(&uri(), edits()),
             Err(ChangeError::Reversed(name))
         );
-        assert_eq!(open.get(&uri()).map(|of| of.text.as_str()), Some("abc"));
+        assert_eq!(open.get(&uri()).map(|own| own.text.as_str()), Some("abc"));
     }
 
     #[test]
@@ -195,11 +198,11 @@ mod tests {
         let mut open = Documents::default();
         open.open(uri(), String::new());
         let document = open.get(&uri()).cloned();
-        assert_eq!(document.as_ref().and_then(|of| open.membership(of)), None);
+        assert_eq!(document.as_ref().and_then(|own| open.membership(own)), None);
         let head = "file:///a%20b/p/paper.toml".parse();
         open.open(head.unwrap_or_else(|_| unreachable!()), String::new());
-        let found = document.and_then(|of| open.membership(&of));
-        let found = found.map(|of| (of.derivations, of.paper, of.name));
+        let found = document.and_then(|own| open.membership(&own));
+        let found = found.map(|own| (own.derivations, own.paper, own.name));
         let wanted = (PathBuf::from("/a b"), "p".to_owned(), "p/c.toml".to_owned());
         assert_eq!(found, Some(wanted));
     }

@@ -26,8 +26,8 @@ pub(super) fn write(out: &mut String, report: &Report) -> fmt::Result {
     if placed.len() < 2 {
         return Ok(());
     }
-    let columns = placed.values().map(|of| of.column + 1).max().unwrap_or(1);
-    let rows = placed.values().map(|of| of.row + 1).max().unwrap_or(1);
+    let columns = placed.values().map(|own| own.column + 1).max().unwrap_or(1);
+    let rows = placed.values().map(|own| own.row + 1).max().unwrap_or(1);
     let (width, height) = (columns * (WIDTH + GAP), rows * (HEIGHT + 3) + 4);
     write!(
         out,
@@ -106,7 +106,7 @@ fn placed(report: &Report) -> BTreeMap<&str, Placed<'_>> {
     let uses: BTreeMap<&str, Vec<&str>> = report
         .claims()
         .map(|claim| {
-            let anchors = claim.uses.iter().filter_map(|of| of.anchor.as_deref());
+            let anchors = claim.uses.iter().filter_map(|own| own.anchor.as_deref());
             (claim.anchor.as_str(), anchors.collect())
         })
         .collect();
@@ -117,7 +117,7 @@ fn placed(report: &Report) -> BTreeMap<&str, Placed<'_>> {
         for (claim, used) in &uses {
             let column = used
                 .iter()
-                .map(|of| columns.get(of).copied().unwrap_or(0) + 1)
+                .map(|own| columns.get(own).copied().unwrap_or(0) + 1)
                 .max();
             let column = column.unwrap_or(0).min(uses.len());
             changed |= columns.insert(claim, column) != Some(column);

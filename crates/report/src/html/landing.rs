@@ -115,7 +115,7 @@ fn usable(report: &Report) -> String {
     let count = |answers: &[Usability]| {
         let constructions = report.constructions.iter();
         constructions
-            .filter(|of| answers.contains(&of.answer))
+            .filter(|own| answers.contains(&own.answer))
             .count()
     };
     let all = report.constructions.len();

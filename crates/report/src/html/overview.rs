@@ -145,7 +145,7 @@ fn usable(out: &mut String, constructions: &[NamedResult]) -> fmt::Result {
     for answer in Usability::ALL {
         let group: Vec<&NamedResult> = constructions
             .iter()
-            .filter(|of| of.answer == answer)
+            .filter(|own| own.answer == answer)
             .collect();
         write!(out, "<tr><th scope=\"row\">{}</th><td>", answer.label())?;
         if group.is_empty() {

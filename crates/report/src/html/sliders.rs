@@ -29,7 +29,7 @@ pub(super) fn data(picture: &Interactive) -> Result<String, ReportError> {
     let decimals =
         (DIGITS - libm::log10(largest.max(f64::MIN_POSITIVE)).ceil() as i32).clamp(0, 17);
     let parts: Vec<Value> = (picture.parts().iter())
-        .map(|of| part(of, dimension, decimals as usize))
+        .map(|own| part(own, dimension, decimals as usize))
         .collect::<Result<_, ReportError>>()?;
     let data = json!({
         "dimension": dimension,

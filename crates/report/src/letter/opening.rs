@@ -19,7 +19,9 @@ pub struct Scope {
 
 impl Scope {
     pub(super) fn new(claims: &[Outcome]) -> Self {
-        let own = claims.iter().filter(|of| of.claim.kind != Kind::Remark);
+        let own = claims
+            .iter()
+            .filter(|listed| listed.claim.kind != Kind::Remark);
         let is_decided = |outcome: &&Outcome| match outcome.verdict() {
             Verdict::Holds
             | Verdict::Conditional

@@ -61,14 +61,14 @@ pub(super) fn restored(paper: &PaperOutcome) -> Option<String> {
 
 fn concerns(made: &Restoration, id: &str) -> bool {
     let mut decided = made.corrected.iter().chain(&made.dependents);
-    decided.any(|of| of.claim == id) || made.reworded.iter().any(|of| of == id)
+    decided.any(|own| own.claim == id) || made.reworded.iter().any(|own| own == id)
 }
 
 /// How many of the statements are true, and which are not; `refuted` says of a false one what that means.
 fn shares(paper: &PaperOutcome, list: &[Restored], refuted: &str) -> Vec<String> {
     let of = |wanted: &[Verdict]| -> Vec<&Restored> {
         let list = list.iter();
-        list.filter(|of| wanted.contains(&of.verdict)).collect()
+        list.filter(|own| wanted.contains(&own.verdict)).collect()
     };
     let told = [
         (
@@ -99,17 +99,17 @@ fn shares(paper: &PaperOutcome, list: &[Restored], refuted: &str) -> Vec<String>
         ),
     ];
     let mut parts = vec![];
-    let mut count = |of: &[&Restored], [one, many]: [&str; 2], placed: bool| {
-        let says = if of.len() == 1 { one } else { many };
+    let mut count = |listed: &[&Restored], [one, many]: [&str; 2], placed: bool| {
+        let says = if listed.len() == 1 { one } else { many };
         let at = match placed {
             true => format!(
                 " ({})",
-                places(paper, of.iter().map(|of| of.claim.as_str()))
+                places(paper, listed.iter().map(|own| own.claim.as_str()))
             ),
             false => String::new(),
         };
-        if !of.is_empty() {
-            parts.push(format!("{} {says}{at}", of.len()));
+        if !listed.is_empty() {
+            parts.push(format!("{} {says}{at}", listed.len()));
         }
     };
     for (verdicts, says, placed) in told {
@@ -119,7 +119,7 @@ fn shares(paper: &PaperOutcome, list: &[Restored], refuted: &str) -> Vec<String>
         told.iter()
             .any(|(verdicts, ..)| verdicts.contains(&of.verdict))
     };
-    let left: Vec<&Restored> = list.iter().filter(|of| !is_told(of)).collect();
+    let left: Vec<&Restored> = list.iter().filter(|own| !is_told(own)).collect();
     count(
         &left,
         [&format!("is {refuted}"), &format!("are {refuted}")],

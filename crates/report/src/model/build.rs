@@ -200,12 +200,12 @@ impl<'a> Builder<'a> {
             expected: outcome
                 .claim
                 .expect
-                .filter(|of| *of != outcome.verdict())
+                .filter(|own| *own != outcome.verdict())
                 .map(glossary::verdict),
             words_of: glossary::words_of(outcome.claim.kind),
             printed: prose(&outcome.claim.printed),
             reading: option(outcome.claim.reading.as_deref()),
-            parsed: outcome.parsed().map(|of| formula(of, &names)),
+            parsed: outcome.parsed().map(|own| formula(own, &names)),
             assumed: assumed(outcome, &names),
             finding: option(outcome.claim.author_note.as_deref()),
             garbled: option(outcome.claim.garbled.as_deref()),
@@ -220,11 +220,11 @@ impl<'a> Builder<'a> {
                 .flat_map(words::data_correction)
                 .map(|line| prose(&line))
                 .collect(),
-            derived: outcome.derived().map(|of| derived(of, &names)),
+            derived: outcome.derived().map(|own| derived(own, &names)),
             difference: (outcome.difference())
                 .filter(|difference| outcome.derived() != Some(difference))
-                .map(|of| derived(of, &names)),
-            witness: outcome.witness().map(|of| witness(of, &names)),
+                .map(|own| derived(own, &names)),
+            witness: outcome.witness().map(|own| witness(own, &names)),
             denied: sentence::denied(outcome).map(|text| prose(&text)),
             steps: counted(&words::steps(outcome))
                 .iter()
@@ -279,14 +279,14 @@ impl<'a> Builder<'a> {
         let found = consequences(id, &claims);
         let (distant, listed): (Vec<_>, Vec<_>) = found
             .iter()
-            .partition(|of| !of.through.is_empty() && of.fate.survives());
-        let views = listed.into_iter().map(|of| ConsequenceView {
-            claim: self.reference(&of.id),
+            .partition(|own| !own.through.is_empty() && own.fate.survives());
+        let views = listed.into_iter().map(|listed| ConsequenceView {
+            claim: self.reference(&listed.id),
             fate: spans(
-                &visible(&glossary::consequence(of)),
+                &visible(&glossary::consequence(listed)),
                 &PrintedNames::default(),
             ),
-            through: of.through.last().map(|id| self.reference(id)),
+            through: listed.through.last().map(|id| self.reference(id)),
         });
         let survivors = (!distant.is_empty()).then(|| glossary::distant_survivors(distant.len()));
         (views.collect(), survivors)
@@ -384,7 +384,10 @@ fn views(outcome: &Outcome, names: &PrintedNames) -> Vec<RestsView> {
             sets.map(|symbol| prose(&symbol.set.replace(" in ", " ∈ ").replace("inf)", "∞)")))
                 .collect(),
         ),
-        ("with", own.map(|of| defined(of, names)).collect()),
+        (
+            "with",
+            own.map(|definition| defined(definition, names)).collect(),
+        ),
         (
             SOURCE,
             hypotheses.filter_map(|h| source(h, names)).collect(),
@@ -443,9 +446,9 @@ fn notation(claims: &[Outcome]) -> Vec<Prose> {
     let shared = claims.iter().map(|outcome| {
         let names = printed_names(outcome);
         let definitions = outcome.claim.table.definitions.iter();
-        let definitions = definitions.filter(|of| !of.own);
+        let definitions = definitions.filter(|definition| !definition.own);
         let shared: Vec<SharedDefinition<'_>> = definitions
-            .map(|of| SharedDefinition::new(outcome, of, &names))
+            .map(|own| SharedDefinition::new(outcome, own, &names))
             .collect();
         (&outcome.claim.table.bases, names, shared)
     });

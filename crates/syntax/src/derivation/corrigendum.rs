@@ -69,7 +69,7 @@ impl Corrigendum {
     pub fn redefined(corrigenda: &[Self], claim: &Claim) -> Option<Claim> {
         let own = claim.entry.local.keys().map(|head| name_of(head));
         let own: BTreeSet<String> = own.chain(claim.entry.symbols.keys().cloned()).collect();
-        let definitions = corrigenda.iter().flat_map(|of| &of.definitions);
+        let definitions = corrigenda.iter().flat_map(|own| &own.definitions);
         let definitions: Vec<_> = definitions
             .filter(|(name, _)| !own.contains(name))
             .collect();

@@ -223,7 +223,7 @@ mod tests {
     #[test]
     fn every_function_is_described_by_a_call_of_it() {
         for name in FUNCTIONS {
-            let call = described(name).map(|of| of.call).unwrap_or_default();
+            let call = described(name).map(|own| own.call).unwrap_or_default();
             assert!(call.starts_with(&format!("{name}(")), "{name}: {call}");
         }
     }

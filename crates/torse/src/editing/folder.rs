@@ -78,7 +78,7 @@ impl EditedFolder {
     pub fn read(folder: &Path, unsaved: impl Fn(&str) -> Option<String>) -> Result<Self, Error> {
         let loaded: Loaded = load_all_with(folder, unsaved)?;
         let digests = digests(&loaded.papers);
-        let digests = digests.into_iter().map(|of| (of.id, of.digest));
+        let digests = digests.into_iter().map(|own| (own.id, own.digest));
         Ok(Self {
             digests: digests.collect(),
             papers: loaded.papers,

@@ -27,12 +27,12 @@ pub(super) fn without_verdict(
     // What may be a slip of the copy is asked, and accuses nobody.
     let is_asked = claim.entry.garbled.is_some();
     let faults = faults.filter(|_| accuses_nothing && !is_asked);
-    let told = |fault: &str| {
+    let flag = |fault: &str| {
         let evidence =
             format!("`{fault}` is said to show in it, and nothing in it is refuted or limited");
         raised(Flag::AccusedWithoutVerdict, evidence)
     };
-    faults.map(told).collect()
+    faults.map(flag).collect()
 }
 
 /// Returns corrections of a sentence that replace letters, indices and numbers and no word, and that state what one of its
@@ -43,11 +43,11 @@ pub(super) fn corrected_readings(
     setting: &Setting<'_>,
 ) -> Vec<RaisedFlag> {
     let corrected = setting.correction(claim.entry.id.get_ref());
-    let corrected = corrected.and_then(|of| of.corrected.claim.statement.as_ref());
+    let corrected = corrected.and_then(|own| own.corrected.claim.statement.as_ref());
     let corrected = corrected.map(|statement| text(&statement.expr));
     let mut readings = claim.readings.iter().zip(outcome.readings());
     let is_repair = readings.any(|(reading, found)| {
-        let stated = reading.claim.statement.as_ref().map(|of| text(&of.expr));
+        let stated = reading.claim.statement.as_ref().map(|own| text(&own.expr));
         stated.is_some() && stated == corrected && is_true(found.outcome.verdict())
     });
     if !is_repair {
@@ -55,11 +55,11 @@ pub(super) fn corrected_readings(
     }
     let changes = setting.changes_of(claim.entry.id.get_ref());
     let symbolic = changes.filter_map(|(printed, reads)| changed_signs(printed, reads));
-    let told = |(old, new): (String, String)| {
+    let flag = |(old, new): (String, String)| {
         let evidence = format!("`{old}` is read as `{new}`: a correction, and no reading");
         raised(Flag::CorrectedReading, evidence)
     };
-    symbolic.map(told).collect()
+    symbolic.map(flag).collect()
 }
 
 fn is_true(verdict: Verdict) -> bool {

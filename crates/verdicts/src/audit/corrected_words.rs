@@ -482,8 +482,8 @@ impl<'c> Said<'c> {
     fn new(claim: &'c Claim, defined: &'c [Expr]) -> Self {
         let mut said = Self::default();
         let hypotheses = claim.assumptions.iter().chain(&claim.given);
-        let hypotheses = hypotheses.map(|of| &of.formula.expr);
-        let written = claim.statement.iter().map(|of| &of.expr);
+        let hypotheses = hypotheses.map(|own| &own.formula.expr);
+        let written = claim.statement.iter().map(|own| &own.expr);
         written
             .chain(hypotheses)
             .for_each(|tree| said.add(true, tree));

@@ -120,7 +120,7 @@ impl PaperNames {
                 };
                 let others = read.others.into_iter().map(|(_, other)| other);
                 let all = [read.statement].into_iter().chain(others);
-                let all = all.map(|of| self.completed(&of.formula));
+                let all = all.map(|own| self.completed(&own.formula));
                 // The variables of a sum in the formula are bound by it.
                 return all
                     .flat_map(|tree| [self.with_numbers(&tree), tree])

@@ -108,10 +108,10 @@ pub(super) fn corrected_words(
         return None;
     }
     // One that is not restated may still state the error of the print; what it assumes is stated.
-    let siblings = correction.siblings.iter().filter_map(|of| {
-        let mut sibling = of.claim.clone();
-        if !of.restated {
-            sibling.statement = sibling.assumptions.first().map(|of| of.formula.clone());
+    let siblings = correction.siblings.iter().filter_map(|restored| {
+        let mut sibling = restored.claim.clone();
+        if !restored.restated {
+            sibling.statement = sibling.assumptions.first().map(|own| own.formula.clone());
         }
         sibling.statement.is_some().then_some(sibling)
     });

@@ -40,14 +40,14 @@ impl<'a> Sentences<'a> {
                 && found.verdict() != outcome.verdict()
                 && agree(words, printed)
         });
-        let told = others.map(|(other, ..)| {
+        let flags = others.map(|(other, ..)| {
             let id = other.entry.id.get_ref();
             raised(
                 Flag::SamePrint,
                 format!("`{id}` has the same words and another verdict"),
             )
         });
-        told.collect()
+        flags.collect()
     }
 }
 

@@ -38,16 +38,16 @@ impl<'a> Setting<'a> {
     /// Returns the correction of the claim with this id; none if the files have none.
     pub fn correction(&self, id: &str) -> Option<Correction<'a>> {
         let mut corrigenda = self.papers.iter().flat_map(|paper| &paper.corrigenda);
-        corrigenda.find_map(|of| {
-            let mut all = of.corrected.iter();
-            let corrected = all.find(|of| of.claim.entry.id.get_ref() == id)?;
-            let changes = of.changes.iter();
+        corrigenda.find_map(|entry| {
+            let mut all = entry.corrected.iter();
+            let corrected = all.find(|own| own.claim.entry.id.get_ref() == id)?;
+            let changes = entry.changes.iter();
             let (own, others): (Vec<_>, Vec<_>) = changes.partition(|change| change.claim == id);
             let reads = |changes: Vec<&'a Rewording>| {
                 let reads = changes.into_iter().map(|change| change.reads.as_str());
                 reads.collect()
             };
-            let siblings = of.corrected.iter();
+            let siblings = entry.corrected.iter();
             let siblings = siblings.filter(|other| other.claim.entry.id.get_ref() != id);
             Some(Correction {
                 siblings: siblings.collect(),
@@ -61,14 +61,14 @@ impl<'a> Setting<'a> {
     /// The ids of the faults that are said to show in the claim with this id.
     pub fn faults_in(&self, id: &str) -> impl Iterator<Item = &'a str> {
         let corrigenda = self.papers.iter().flat_map(|paper| &paper.corrigenda);
-        let showing = corrigenda.filter(move |of| of.shows.iter().any(|shown| shown == id));
-        showing.map(|of| of.id.as_str())
+        let showing = corrigenda.filter(move |own| own.shows.iter().any(|shown| shown == id));
+        showing.map(|own| own.id.as_str())
     }
 
     /// The corrections of the words of the claim with this id: what is printed, and what is to be read.
     pub fn changes_of(&self, id: &str) -> impl Iterator<Item = (&'a str, &'a str)> {
         let corrigenda = self.papers.iter().flat_map(|paper| &paper.corrigenda);
-        let changes = corrigenda.flat_map(|of| &of.changes);
+        let changes = corrigenda.flat_map(|own| &own.changes);
         let changes = changes.filter(move |change| change.claim == id);
         changes.map(|change| (change.printed.as_str(), change.reads.as_str()))
     }

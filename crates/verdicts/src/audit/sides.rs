@@ -33,7 +33,7 @@ pub(super) fn equations_with_equal_sides(subject: &Subject<'_>) -> Vec<RaisedFla
 pub(crate) fn compares(claim: &Claim) -> bool {
     let statement = claim.statement.iter();
     let readings = claim.readings.iter();
-    let statements = statement.chain(readings.filter_map(|of| of.claim.statement.as_ref()));
+    let statements = statement.chain(readings.filter_map(|own| own.claim.statement.as_ref()));
     let mut parts = statements.flat_map(|w| conjuncts(&w.expr));
     parts.any(|part| match &part.node {
         Node::Compare(..) => comparisons(part).iter().any(|(left, relation, right)| {

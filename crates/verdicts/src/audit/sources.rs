@@ -23,8 +23,8 @@ pub(super) fn missing_sources(subject: &Subject<'_>) -> Vec<RaisedFlag> {
     });
     let ranges = ranges.map(|name| format!("the range of `{name}`"));
     let hypotheses = claim.assumptions.iter().chain(&claim.given);
-    let hypotheses = hypotheses.filter(|of| matches!(of.provenance, Provenance::Stated));
-    let hypotheses = hypotheses.map(|of| format!("`{}`", text(&of.formula.expr)));
+    let hypotheses = hypotheses.filter(|own| matches!(own.provenance, Provenance::Stated));
+    let hypotheses = hypotheses.map(|own| format!("`{}`", text(&own.formula.expr)));
     one_flag_for(
         Flag::UnsourcedRange,
         "neither printed nor ours",
@@ -49,7 +49,7 @@ fn is_bounded(kind: Option<&SymbolKind>) -> bool {
 fn free_symbols(claim: &Claim) -> BTreeSet<&str> {
     let hypotheses = claim.assumptions.iter().chain(&claim.given);
     let written = claim.statement.iter().map(|written| &written.expr);
-    let written = written.chain(hypotheses.map(|of| &of.formula.expr));
+    let written = written.chain(hypotheses.map(|own| &own.formula.expr));
     let mut free = Free {
         declarations: &claim.declarations,
         seen: BTreeSet::new(),
