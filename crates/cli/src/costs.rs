@@ -42,7 +42,7 @@ impl Costs {
     }
 
     /// What a claim is expected to cost.
-    pub fn of(&self, claim: &Claim, digest: &ClaimDigest) -> u64 {
+    pub fn expected(&self, claim: &Claim, digest: &ClaimDigest) -> u64 {
         let before = key(&digest.digest).and_then(|key| self.before.get(&key));
         before.copied().unwrap_or_else(|| estimate(claim))
     }

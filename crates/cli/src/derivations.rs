@@ -34,7 +34,7 @@ impl Derivations {
     pub fn load(&self) -> Result<LoadedDerivations, Failure> {
         let mut mistakes = Diagnostics::default();
         let loaded = derivation::load_all(&self.find()?)?;
-        let (papers, left_out) = told(loaded, &mut mistakes);
+        let (papers, left_out) = tell_mistakes(loaded, &mut mistakes);
         Ok(LoadedDerivations {
             papers,
             left_out,
@@ -44,7 +44,7 @@ impl Derivations {
 
     /// Finds the papers of the folder, to be read one after the other.
     pub fn one_by_one(&self) -> Result<OneByOne, Failure> {
-        Ok(OneByOne::of(&self.find()?)?)
+        Ok(OneByOne::find(&self.find()?)?)
     }
 
     /// Reads the claims that the user names.
@@ -106,7 +106,7 @@ impl Derivations {
 }
 
 /// Adds the mistakes of papers, tells names that look alike, and returns the papers and the ids that are left out.
-pub fn told(loaded: Loaded, mistakes: &mut Diagnostics) -> (Vec<Paper>, Vec<String>) {
+pub fn tell_mistakes(loaded: Loaded, mistakes: &mut Diagnostics) -> (Vec<Paper>, Vec<String>) {
     loaded
         .errors
         .into_iter()

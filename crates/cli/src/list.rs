@@ -1,7 +1,7 @@
 //! `torse list`: the claims of the derivation files, without deciding any.
 
 use crate::costs::Costs;
-use crate::derivations::{Derivations, told};
+use crate::derivations::{Derivations, tell_mistakes};
 use crate::diagnostics::Diagnostics;
 use crate::exit::{Exit, Failure};
 use crate::format::{Format, json_line};
@@ -99,7 +99,7 @@ impl List {
         if self.names.is_empty() {
             let mut papers = self.derivations.one_by_one()?;
             for slug in papers.slugs().to_vec() {
-                let (papers, _) = told(papers.load(&slug), &mut mistakes);
+                let (papers, _) = tell_mistakes(papers.load(&slug), &mut mistakes);
                 // No part has a paper without a claim, and none evaluates its figures.
                 let bare: Vec<Paper> = papers
                     .iter()
@@ -144,7 +144,7 @@ impl ClaimLines {
                 kind: glossary::kind(claim.entry.kind).key,
                 at: &claim.entry.at,
                 uses: &claim.uses,
-                cost: self.costs.of(claim, &digest),
+                cost: self.costs.expected(claim, &digest),
                 digest: digest.digest,
             })?;
             self.count += 1;

@@ -3,7 +3,7 @@
 //! A file of lines begins with its [`ShardHead`] and ends with its [`ShardEnd`], without which it is not whole. Between them
 //! each claim has a [`ShardLine`], in the order of the derivation files, whatever the order of the ids.
 
-use crate::derivations::{Derivations, told};
+use crate::derivations::{Derivations, tell_mistakes};
 use crate::diagnostics::Diagnostics;
 use crate::exit::{Exit, Failure};
 use crate::kernel::Kernel;
@@ -135,7 +135,7 @@ struct Part<'k> {
 impl Part<'_> {
     /// Takes the claims of these ids of a paper, and decides what is pending if it is enough.
     fn paper(&mut self, loaded: Loaded, ids: &BTreeSet<String>) -> Result<(), Failure> {
-        let (papers, left_out) = told(loaded, &mut self.mistakes);
+        let (papers, left_out) = tell_mistakes(loaded, &mut self.mistakes);
         let claims = digests(&papers);
         // What is left out because it is wrong is told with its mistake.
         let is_known =

@@ -77,5 +77,5 @@ pub use write::write_file;
 /// Whether a paper is a worked example of ours rather than a publication.
 #[must_use]
 pub fn is_worked_example(paper: &torse_verdicts::outcome::PaperOutcome) -> bool {
-    letter::is_example(&paper.authors)
+    torse_syntax::derivation::schema::is_worked(&paper.authors)
 }

@@ -688,7 +688,7 @@ fn papers_that_are_loaded_one_by_one_are_those_that_are_loaded_together() {
     fs::create_dir_all(folder.path("unreadable")).unwrap();
     folder.write("unreadable/paper.toml", "[");
     let together = folder.load();
-    let mut one_by_one = OneByOne::of(&folder.0).unwrap();
+    let mut one_by_one = OneByOne::find(&folder.0).unwrap();
     let slugs = one_by_one.slugs().to_vec();
     assert_eq!(slugs, ["first", "later", "mini", "renamed", "unreadable"]);
     assert!(one_by_one.has("mini") && !one_by_one.has("nowhere"));

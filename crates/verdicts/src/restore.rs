@@ -55,13 +55,13 @@ pub fn restore(
         decide_claim_within(budget, &paper.head.id, claim).map(|outcome| restored(&outcome))
     };
     let resting = dependents(paper, &corrected);
-    let again = |claim: &&Claim| -> Result<Restored, Box<DerivationError>> {
-        let unchanged = || found(claim.entry.id.get_ref()).map(restored);
-        match Corrigendum::redefined(&paper.corrigenda, claim) {
-            Some(redefined) => decide(&redefined),
-            // No formula of it has changed: neither has what is decided from the formulas alone.
-            None => unchanged().map_or_else(|| decide(claim), Ok),
-        }
+    let again = |(claim, redefined): &(&Claim, Option<Claim>)| match redefined {
+        Some(redefined) => decide(redefined),
+        // No formula of it has changed: neither has what is decided from the formulas alone.
+        None => match found(claim.entry.id.get_ref()) {
+            Some(outcome) => Ok(restored(outcome)),
+            None => decide(claim),
+        },
     };
     let in_order = paper.claims.iter().map(|claim| claim.entry.id.get_ref());
     let in_order: Vec<&String> = in_order.collect();
@@ -92,8 +92,11 @@ fn restored(outcome: &Outcome) -> Restored {
 }
 
 /// The claims of the paper that rest on corrected ones, directly or through others, and those with a formula in which a
-/// definition is corrected; in file order.
-fn dependents<'p>(paper: &'p Paper, corrected: &BTreeMap<&String, Claim>) -> Vec<&'p Claim> {
+/// definition is corrected, these with the corrected definitions; in file order.
+fn dependents<'p>(
+    paper: &'p Paper,
+    corrected: &BTreeMap<&String, Claim>,
+) -> Vec<(&'p Claim, Option<Claim>)> {
     let uses = paper.claims.iter();
     let uses = uses.map(|claim| (claim.entry.id.get_ref().as_str(), claim.uses.as_slice()));
     let users = users(uses);
@@ -103,15 +106,17 @@ fn dependents<'p>(paper: &'p Paper, corrected: &BTreeMap<&String, Claim>) -> Vec
         let direct = users.get(id).into_iter().flatten();
         pending.extend(direct.filter(|user| reached.insert(user)));
     }
-    let rests = |claim: &&Claim| {
-        let id = claim.entry.id.get_ref();
+    let others = paper.claims.iter().filter(|claim| {
         claim.entry.kind != Kind::Remark
             && is_decidable(claim)
-            && !corrected.contains_key(id)
-            && (reached.contains(id.as_str())
-                || Corrigendum::redefined(&paper.corrigenda, claim).is_some())
-    };
-    paper.claims.iter().filter(rests).collect()
+            && !corrected.contains_key(claim.entry.id.get_ref())
+    });
+    let resting = others.filter_map(|claim| {
+        let redefined = Corrigendum::redefined(&paper.corrigenda, claim);
+        let rests = redefined.is_some() || reached.contains(claim.entry.id.get_ref().as_str());
+        rests.then_some((claim, redefined))
+    });
+    resting.collect()
 }
 
 /// Returns a claim as it is decided again: restated by the files, or with the correction that was found.

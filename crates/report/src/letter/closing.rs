@@ -1,11 +1,11 @@
 //! How a letter ends: what is true with all corrections made, and how all of it was checked.
 
-use super::opening::is_example;
 use super::restored::restored;
 use crate::glossary::plural;
 use crate::statements::is_refuted;
 use crate::text::visible;
 use std::collections::BTreeSet;
+use torse_syntax::derivation::schema::is_worked;
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
 pub(super) fn closing(
@@ -43,7 +43,7 @@ pub(super) fn closing(
         }
         list.push(text);
     }
-    list.push(match is_example(&paper.authors) {
+    list.push(match is_worked(&paper.authors) {
         true => format!(
             "The command “torse report {}” writes a page with every statement, its verdict and its proof.",
             visible(&paper.slug)

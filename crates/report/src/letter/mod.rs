@@ -13,7 +13,6 @@ mod restored;
 pub(crate) use item::item;
 pub use item::{Item, ItemChange};
 pub use opening::Scope;
-pub(crate) use opening::is_example;
 
 use crate::faults::{FaultPart, faults};
 use crate::text::visible;
@@ -21,6 +20,7 @@ use closing::closing;
 use opening::{example, opening, salutation};
 use serde::Serialize;
 use std::collections::BTreeSet;
+use torse_syntax::derivation::schema::is_worked;
 use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_verdicts::outcome::{Outcome, PaperOutcome};
 
@@ -86,8 +86,8 @@ pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Lette
     let scope = Scope::new(claims);
     Letter {
         scope,
-        salutation: (!is_example(&paper.authors)).then(|| salutation(&visible(&paper.authors))),
-        opening: match is_example(&paper.authors) {
+        salutation: (!is_worked(&paper.authors)).then(|| salutation(&visible(&paper.authors))),
+        opening: match is_worked(&paper.authors) {
             true => example(corrections.len()),
             false => opening(
                 scope,

@@ -3,7 +3,6 @@
 use crate::glossary::plural;
 use crate::text::{enumeration, visible};
 use serde::Serialize;
-use torse_syntax::derivation::schema::is_worked;
 use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_typography::plain;
 use torse_verdicts::outcome::Outcome;
@@ -62,11 +61,6 @@ pub(super) fn salutation(authors: &str) -> String {
         [] => "Dear authors,".to_owned(),
         names => format!("Dear {},", enumeration(names)),
     }
-}
-
-/// Whether a folder is a worked example of ours, and no paper.
-pub(crate) fn is_example(authors: &str) -> bool {
-    is_worked(authors)
 }
 
 pub(super) fn example(corrections: usize) -> String {

@@ -19,6 +19,7 @@ use crate::view::{correction, derived, formula};
 use crate::{FigureImage, applicability, corrections, findings, letter, sentence, summary_page};
 use std::collections::{BTreeMap, BTreeSet};
 use torse_prove::Witness;
+use torse_syntax::derivation::schema::is_worked;
 use torse_syntax::notation::Formula;
 use torse_syntax::taxonomy::{Kind, Verdict};
 use torse_typography::{PrintedNames, Prose, Span, in_words, plain, spans};
@@ -110,7 +111,7 @@ impl Report {
     /// Whether the paper is a worked example of ours rather than a publication.
     #[must_use]
     pub fn is_example(&self) -> bool {
-        letter::is_example(&self.authors)
+        is_worked(&self.authors)
     }
 
     /// Returns the claims, section by section.

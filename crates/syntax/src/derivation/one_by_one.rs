@@ -20,7 +20,7 @@ const MAX_KNOWN: usize = 32;
 /// # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../derivations");
 /// # let folder = std::path::Path::new(folder);
 /// # if folder.exists() {
-/// let mut papers = OneByOne::of(folder)?;
+/// let mut papers = OneByOne::find(folder)?;
 /// let slugs = papers.slugs().to_vec();
 /// let claims: usize = slugs
 ///     .iter()
@@ -45,7 +45,7 @@ impl OneByOne {
     ///
     /// # Errors
     /// [`LoadError`] if the folder cannot be read or contains no paper.
-    pub fn of(folder: &Path) -> Result<Self, LoadError> {
+    pub fn find(folder: &Path) -> Result<Self, LoadError> {
         Ok(Self {
             folder: folder.to_owned(),
             slugs: slugs(folder)?,

@@ -2,8 +2,23 @@
 
 use torse_algebra::{Polynomial, Rational, Symbol};
 
+/// `f' - c*f` where the order is 1; `f'' - 2*c*f' + c^2*f` where it is 2 and `f' - c*f` is zero with the variable.
+pub(super) fn slope(
+    polynomial: &Polynomial,
+    name: &str,
+    rate: &Rational,
+    order: u32,
+) -> Option<Polynomial> {
+    let first = less(&polynomial.derivative(name), polynomial, rate);
+    match order {
+        1 => Some(first),
+        _ if at_zero(&first, name)?.is_zero() => Some(less(&first.derivative(name), &first, rate)),
+        _ => None,
+    }
+}
+
 /// `slope - rate*value`.
-pub(super) fn less(slope: &Polynomial, value: &Polynomial, rate: &Rational) -> Polynomial {
+fn less(slope: &Polynomial, value: &Polynomial, rate: &Rational) -> Polynomial {
     slope - &value.scaled(rate)
 }
 
@@ -29,16 +44,11 @@ pub(super) fn at_zero(polynomial: &Polynomial, name: &str) -> Option<Polynomial>
 pub(super) fn is_made(
     polynomial: &Polynomial,
     (variable, rate, order): (&Symbol, &Rational, u32),
-    [start, slope]: [&Polynomial; 2],
+    [start, grown]: [&Polynomial; 2],
 ) -> bool {
     let Some(name) = variable.names().next() else {
         return false;
     };
-    let first = less(&polynomial.derivative(name), polynomial, rate);
-    let own = match order {
-        1 => first,
-        _ if at_zero(&first, name).is_none_or(|p| !p.is_zero()) => return false,
-        _ => less(&first.derivative(name), &first, rate),
-    };
-    at_zero(polynomial, name).is_some_and(|value| value == *start) && own == *slope
+    at_zero(polynomial, name).is_some_and(|value| value == *start)
+        && slope(polynomial, name, rate, order).is_some_and(|value| value == *grown)
 }

@@ -11,7 +11,7 @@
 //! A point of the domain has the whole interval from 0 in the domain where nothing but numbers bounds the variable: all other
 //! constraints with it are left out.
 
-use super::growth::{at_zero, less};
+use super::growth::{at_zero, slope};
 use super::proof::{Proof, Shown};
 use super::simple_places::{is_negative_somewhere, variable};
 use super::{Sign, line, taylor, without_equations};
@@ -40,9 +40,12 @@ pub(super) fn proof(polynomial: &Polynomial, domain: &Domain<'_>) -> Option<(Sig
     let search = Search {
         left: Cell::new(MAX_ATTEMPTS),
     };
-    let found = search.not_negative(polynomial, domain, MAX_DEPTH);
-    found.or_else(|| {
-        let (sign, proof) = search.not_negative(&-polynomial, domain, MAX_DEPTH)?;
+    let not_negative = |own: &Polynomial| match is_negative_somewhere(own, domain) {
+        true => None,
+        false => search.not_negative(own, domain, MAX_DEPTH),
+    };
+    not_negative(polynomial).or_else(|| {
+        let (sign, proof) = not_negative(&-polynomial)?;
         Some((sign.negated(), proof))
     })
 }
@@ -76,9 +79,6 @@ impl Search {
     ) -> Option<(Sign, Proof)> {
         let symbol = Symbol::Named(Arc::clone(name));
         let around = domain_along(&symbol, polynomial, domain)?;
-        if is_negative_somewhere(polynomial, &around) {
-            return None;
-        }
         let start = at_zero(polynomial, name)?;
         let (start_sign, start_proof) = self.shown(&start, &around, 0)?;
         let interval = around.interval(&symbol);
@@ -92,14 +92,10 @@ impl Search {
         if is_beyond(lower, Relation::AtMost) || is_beyond(upper, Relation::AtLeast) {
             return None;
         }
+        let order = if from_zero { 1 } else { 2 };
         for rate in rates(polynomial) {
-            let slope = less(&polynomial.derivative(name), polynomial, &rate);
-            let (slope, order) = match from_zero {
-                true => (slope, 1),
-                false if at_zero(&slope, name)?.is_zero() => {
-                    (less(&slope.derivative(name), &slope, &rate), 2)
-                }
-                false => continue,
+            let Some(slope) = slope(polynomial, name, &rate, order) else {
+                continue;
             };
             let Some((slope_sign, slope_proof)) = self.shown(&slope, &around, depth - 1) else {
                 continue;
