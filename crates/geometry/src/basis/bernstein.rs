@@ -40,6 +40,10 @@ impl<S: Coordinate> Basis<S> for Bernstein {
         Ok([u.clone() * u, mixed.clone() + mixed, t.clone() * t])
     }
 
+    fn is_bernstein(&self) -> bool {
+        true
+    }
+
     fn reversed(&self) -> Self {
         *self
     }

@@ -122,6 +122,13 @@ pub trait Basis<S: Coordinate>: Clone + std::fmt::Debug + Send + Sync {
     /// As [`Basis::seeds`].
     fn seed_jets(&self, x: &S, order: usize) -> Result<[Jet<S>; 3], ExactError>;
 
+    /// Whether these are the Bernstein polynomials of every degree, so that derivatives of curves are curves of the
+    /// differences of their control points.
+    #[must_use]
+    fn is_bernstein(&self) -> bool {
+        false
+    }
+
     /// The family whose basis functions at `x` are these at `1 - x` in reversed order.
     #[must_use]
     fn reversed(&self) -> Self;

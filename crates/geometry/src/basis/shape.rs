@@ -89,6 +89,10 @@ impl<S: Coordinate> Basis<S> for BasisShape<S> {
         }
     }
 
+    fn is_bernstein(&self) -> bool {
+        matches!(self, Self::Bernstein)
+    }
+
     fn reversed(&self) -> Self {
         match self {
             Self::Bernstein => Self::Bernstein,

@@ -3,6 +3,7 @@
 mod affine;
 mod bezier;
 mod conic;
+mod differences;
 mod elliptic;
 mod least;
 mod measure;
@@ -184,6 +185,9 @@ impl<S: Coordinate, B: Basis<S>, const D: usize> Curve<B, S, D> {
 
     /// The Taylor coefficients at `x`.
     fn series(&self, x: &S, order: usize) -> Result<Vec<[S; D]>> {
+        if self.basis.is_bernstein() && differences::DEGREES.contains(&self.degree()) {
+            return differences::series(&self.points, x, order);
+        }
         let rows = self.basis.series_rows(self.degree(), x, order)?;
         self.blended_all(&rows, order)
     }
