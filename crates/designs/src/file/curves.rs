@@ -2,15 +2,17 @@
 
 use super::imports::Imports;
 use super::joints::joint;
-use super::points::{list, point, vector, vectors};
+use super::points::{exact_list, list, point, vector, vectors};
 use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use super::shapes::shape;
 use super::{MAX_CONTROLS, keys, named, placement, splines};
 use std::ops::Range;
+use torse_geometry::Coordinate;
 use torse_geometry::basis::BasisShape;
 use torse_geometry::curve::EllipticHelix;
 use torse_geometry::prelude::{PiecewiseRail, Point, Rail};
 use torse_geometry::vector::{norm, sub};
+use torse_numbers::rational::Rational;
 
 /// The ways to make a curve.
 const KINDS: [&str; 11] = [
@@ -88,7 +90,7 @@ fn curve(
     let place = value.span();
     let made = match kind {
         "bezier" | "gbt" => {
-            let control = list(reader, value, points, [2, MAX_CONTROLS])?;
+            let control = exact_list(reader, value, points, [2, MAX_CONTROLS])?;
             let shape = match (kind, shape) {
                 ("bezier", None) => BasisShape::Bernstein,
                 ("gbt", Some(shape)) => shape,
@@ -103,10 +105,7 @@ fn curve(
                     return None;
                 }
             };
-            match weights {
-                None => Rail::new(shape, &control),
-                Some(weights) => Rail::weighted(shape, &control, &weights),
-            }
+            Rail::exact(shape, &control, weights.as_deref())
         }
         "hermite" => Rail::hermite(&vectors(reader, value, points, [4, 6])?),
         "arc" => arc(reader, value, points)?,
@@ -266,11 +265,20 @@ pub fn one_piece(reader: &mut Reader, place: &Range<usize>, curve: &PiecewiseRai
     rail
 }
 
-fn weights(reader: &mut Reader, value: Value<'_>) -> Option<Vec<f64>> {
+fn weights(reader: &mut Reader, value: Value<'_>) -> Option<Vec<Rational>> {
     let items = reader.list(value, "weights", [2, MAX_CONTROLS])?;
     let all: Vec<_> = items
         .into_iter()
-        .map(|item| reader.number_in(item, NumberKind::None, "(0, infinity)", |w| w > 0.0))
+        .map(|item| {
+            let span = item.span();
+            let weight = reader.rational(item, NumberKind::None)?;
+            let near = weight.approximate();
+            if near > 0.0 {
+                return Some(weight);
+            }
+            reader.complain(&span, format!("{near} is outside (0, infinity)"), "");
+            None
+        })
         .collect();
     all.into_iter().collect()
 }

@@ -5,7 +5,9 @@ use super::reader::{Named, NumberKind, Reader, Value};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;
+use torse_geometry::Coordinate;
 use torse_geometry::prelude::Point;
+use torse_numbers::rational::Rational;
 
 pub fn points(reader: &mut Reader, section: Option<Value<'_>>) -> Named<Point> {
     let known = named(reader, section, "[points]", |reader, _, value, known| {
@@ -74,6 +76,38 @@ pub fn list(
     let points: Vec<Option<Point>> = items
         .into_iter()
         .map(|item| point(reader, item, known))
+        .collect();
+    points.into_iter().collect()
+}
+
+/// A list of points with exact coordinates, in millimetres.
+pub fn exact_list(
+    reader: &mut Reader,
+    value: Value<'_>,
+    known: &Named<Point>,
+    [least, most]: [usize; 2],
+) -> Option<Vec<[Rational; 3]>> {
+    let items = reader.list(value, "points", [least, most])?;
+    let points: Vec<Option<[Rational; 3]>> = items
+        .into_iter()
+        .map(|item| match item.get_ref() {
+            DeValue::String(_) => point(reader, item, known).map(|p| p.map(torse_geometry::exact)),
+            _ => {
+                let places = places(&item);
+                let coordinates = reader.list(item, "numbers", [3, 3])?;
+                let all: Vec<_> = coordinates
+                    .into_iter()
+                    .map(|c| reader.rational(c, NumberKind::Length))
+                    .collect();
+                let all: Vec<Rational> = all.into_iter().collect::<Option<_>>()?;
+                let exact: [Rational; 3] = all.try_into().ok()?;
+                let at = exact.each_ref().map(Coordinate::approximate);
+                if let Some((places, plain)) = places {
+                    reader.place_point(at, places, plain);
+                }
+                Some(exact)
+            }
+        })
         .collect();
     points.into_iter().collect()
 }

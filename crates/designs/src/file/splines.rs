@@ -1,49 +1,16 @@
 //! Splines, by their control points or through points, and polygons with corners.
 
 use super::keys;
-use super::points::{places, point, vector};
+use super::points::{exact_list, point, vector};
 use super::reader::{Entries, Named, NumberKind, Reader, Value, accepted};
 use std::ops::Range;
 use toml::de::DeValue;
-use torse_geometry::Coordinate;
 use torse_geometry::curve::{
     EndCondition, Interpolation, MAX_SPLINE_POINTS, Spacing, Spline, interpolate,
     interpolate_closed,
 };
 use torse_geometry::prelude::{PiecewiseRail, Point};
 use torse_numbers::rational::{Rational, integer};
-
-/// Returns points with exact coordinates, in millimetres.
-fn exact_points(
-    reader: &mut Reader,
-    value: Value<'_>,
-    known: &Named<Point>,
-    least: usize,
-) -> Option<Vec<[Rational; 3]>> {
-    let items = reader.list(value, "points", [least, MAX_SPLINE_POINTS])?;
-    let points: Vec<Option<[Rational; 3]>> = items
-        .into_iter()
-        .map(|item| match item.get_ref() {
-            DeValue::String(_) => point(reader, item, known).map(|p| p.map(torse_geometry::exact)),
-            _ => {
-                let places = places(&item);
-                let coordinates = reader.list(item, "numbers", [3, 3])?;
-                let all: Vec<_> = coordinates
-                    .into_iter()
-                    .map(|c| reader.rational(c, NumberKind::Length))
-                    .collect();
-                let all: Vec<Rational> = all.into_iter().collect::<Option<_>>()?;
-                let exact: [Rational; 3] = all.try_into().ok()?;
-                let at = exact.each_ref().map(Coordinate::approximate);
-                if let Some((places, plain)) = places {
-                    reader.place_point(at, places, plain);
-                }
-                Some(exact)
-            }
-        })
-        .collect();
-    points.into_iter().collect()
-}
 
 fn plain_points(
     reader: &mut Reader,
@@ -93,7 +60,7 @@ pub fn spline(
         );
         return None;
     };
-    let control = exact_points(reader, control, points, 2);
+    let control = exact_list(reader, control, points, [2, MAX_SPLINE_POINTS]);
     let knots = entries
         .take("knots")
         .map(|value| numbers(reader, value, "knots"));
@@ -235,7 +202,7 @@ pub fn polyline(
     points: &Named<Point>,
 ) -> Option<PiecewiseRail> {
     let place = value.span();
-    let corners = exact_points(reader, value, points, 2)?;
+    let corners = exact_list(reader, value, points, [2, MAX_SPLINE_POINTS])?;
     accepted(
         reader,
         &place,

@@ -1,6 +1,6 @@
 //! Curves of any shape, imported ones too, and patches over several pieces.
 
-use torse_designs::inspect::inspect;
+use torse_designs::inspect::{Assurance, inspect};
 use torse_designs::unroll::{Demand, unroll};
 use torse_designs::{Design, DesignError, read, read_with};
 use torse_geometry::curve::{Spacing, interpolate_closed};
@@ -335,4 +335,38 @@ fn a_quarter_of_an_ellipse_is_cut_exactly() {
     assert_eq!(ruled.patches.len(), 2);
     let other = "[curves]\ng = { gbt = [[0, 0, 0], [1, 2, 0], [3, 0, 0]], shape = [0.5, 0], section = [0, 0.5] }\n";
     assert!(refused(other).contains("no control points"));
+}
+
+#[test]
+fn weights_and_points_are_the_decimals_of_the_text() {
+    // b = apex + (a - apex)/2 with the same weights: a cone for every weight. No double is 0.7, and no product of one.
+    for weight in ["0.75", "0.7", "0.707", "0.1"] {
+        let text = format!(
+            "[curves]\n\
+             a = {{ bezier = [[60, 0, 0], [60, 60, 0], [0, 60, 0]], weights = [1, {weight}, 1] }}\n\
+             b = {{ bezier = [[30, 0, 60], [30, 30, 60], [0, 30, 60]], weights = [1, {weight}, 1] }}\n\
+             c = {{ spline = {{ degree = 2, points = [[0.1, 0, 0], [0.3, 0.7, 0], [1.1, 0.9, 0.2]], weights = [1, {weight}, 1] }} }}\n\
+             d = {{ spline = {{ degree = 2, points = [[0.15, 0.1, 1.1], [0.45, 1.15, 1.1], [1.65, 1.45, 1.4]], weights = [1, {weight}, 1] }} }}\n\
+             [patches]\n\
+             f = {{ ruled = [\"a\", \"b\"] }}\n\
+             g = {{ ruled = [\"c\", \"d\"] }}\n"
+        );
+        let report = inspect(&design(&text)).unwrap();
+        for patch in &report.patches {
+            assert_eq!(
+                patch.developable,
+                Assurance::Proved,
+                "{} {weight}",
+                patch.name
+            );
+        }
+    }
+    // In the last digit it is none.
+    let text = "[curves]\n\
+         a = { bezier = [[0.1, 0, 0], [0.3, 0.7, 0], [1.1, 0.9, 0.2]] }\n\
+         b = { bezier = [[0.15, 0.1, 1.1], [0.45, 1.15, 1.1], [1.65, 1.45, 1.400000000000000001]] }\n\
+         [patches.f]\n\
+         ruled = [\"a\", \"b\"]\n";
+    let report = inspect(&design(text)).unwrap();
+    assert_eq!(report.patches[0].developable, Assurance::Within);
 }

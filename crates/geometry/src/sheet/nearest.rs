@@ -144,7 +144,7 @@ impl Rail {
             }
             RailCurve::Elliptic(_) => return Ok(None),
         };
-        Ok(Some((units, Rail { curve })))
+        Ok(Some((units, Rail { curve, given: None })))
     }
 }
 

@@ -1,9 +1,9 @@
 //! Curves of several pieces, and what two of them have in common.
 
 use super::{Point, Rail};
-use crate::basis::Bernstein;
+use crate::basis::BasisShape;
 use crate::coordinate::Coordinate;
-use crate::curve::{AffineMap, Bezier, EllipticHelix, RationalCurve, Spline};
+use crate::curve::{AffineMap, Bezier, EllipticHelix, Spline};
 use crate::error::{GeometryError, Place, Result};
 use crate::vector::{norm, sub};
 use std::cmp::Ordering;
@@ -63,16 +63,11 @@ impl TryFrom<&Bezier> for Rail {
     type Error = GeometryError;
 
     fn try_from(bezier: &Bezier) -> Result<Self> {
-        let control = bezier.homogeneous();
-        let control = control
-            .iter()
-            .map(|p| p.each_ref().map(Coordinate::approximate));
-        let (points, weights): (Vec<Point>, Vec<f64>) =
-            control.map(|[x, y, z, w]| ([x, y, z], w)).unzip();
-        if bezier.is_weighted() {
-            return RationalCurve::from_homogeneous(Bernstein, points, weights).map(Self::from);
-        }
-        Self::bezier(&points)
+        Self::rounded(
+            BasisShape::Bernstein,
+            bezier.homogeneous(),
+            bezier.is_weighted(),
+        )
     }
 }
 

@@ -11,7 +11,8 @@ use crate::error::{GeometryError, Place, Result};
 use crate::join::{JointMeasure, measure_curves, next_curve};
 use crate::over::Over;
 use crate::surface::RailKind;
-use torse_algebra::Jet;
+use std::sync::Arc;
+use torse_algebra::{Jet, Rational};
 
 /// A curve in space over [0, 1] with any basis, weighted or not.
 ///
@@ -26,7 +27,12 @@ use torse_algebra::Jet;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rail<S = f64> {
     pub(super) curve: RailCurve<S>,
+    /// What the curve is rounded from, where f64 does not hold it.
+    pub(super) given: Option<Arc<Homogeneous>>,
 }
+
+/// Control points `w p` with their weights `w`, exactly.
+pub(super) type Homogeneous = Vec<[Rational; 4]>;
 
 /// The curve of the generic layer that a rail is.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,6 +54,112 @@ impl<S> Rail<S> {
 }
 
 impl Rail {
+    /// Returns the curve with these exact control points and weights, of which each product `w p` is rounded once where
+    /// it is evaluated on f64; what is proved is proved of the exact numbers.
+    ///
+    /// # Errors
+    /// As [`Curve::new`] and [`RationalCurve::new`].
+    ///
+    /// ```
+    /// use torse_algebra::rational::ratio;
+    /// use torse_geometry::Rails;
+    /// use torse_geometry::basis::BasisShape;
+    /// use torse_geometry::prelude::*;
+    /// // Two arches of which one is a third of the other: neither is one of doubles.
+    /// let arch = |n: i64| {
+    ///     let q = |a: i64| ratio(a * n, 3).unwrap();
+    ///     let points = [[q(0), q(0), q(3)], [q(1), q(2), q(3)], [q(4), q(0), q(3)]];
+    ///     let weights = [ratio(1, 1), ratio(7, 10), ratio(1, 1)].map(Option::unwrap);
+    ///     Rail::exact(BasisShape::Bernstein, &points, Some(&weights))
+    /// };
+    /// let cone = Sheet::ruled(arch(3)?, arch(1)?);
+    /// assert!(Rails::<f64>::is_developable_by_construction(&cone));
+    /// # Ok::<(), torse_geometry::GeometryError>(())
+    /// ```
+    pub fn exact(
+        shape: BasisShape<f64>,
+        points: &[[Rational; 3]],
+        weights: Option<&[Rational]>,
+    ) -> Result<Self> {
+        let one = Rational::from_integer(1.into());
+        if let Some(weights) = weights
+            && weights.len() != points.len()
+        {
+            return Err(GeometryError::LengthMismatch {
+                what: "weights",
+                index: 0,
+                expected: points.len(),
+                given: weights.len(),
+            });
+        }
+        let weight = |k: usize| weights.and_then(|all| all.get(k)).unwrap_or(&one).clone();
+        let control = points.iter().enumerate().map(|(k, point)| {
+            let w = weight(k);
+            let [x, y, z] = point.each_ref().map(|c| c.clone() * w.clone());
+            [x, y, z, w]
+        });
+        Self::rounded(shape, control.collect(), weights.is_some())
+    }
+
+    /// Returns the curve with these homogeneous control points, rounded once.
+    pub(super) fn rounded(
+        shape: BasisShape<f64>,
+        control: Homogeneous,
+        weighted: bool,
+    ) -> Result<Self> {
+        let near = control
+            .iter()
+            .map(|p| p.each_ref().map(Coordinate::approximate));
+        let near: Vec<[f64; 4]> = near.collect();
+        let is_held = |(exact, near): (&[Rational; 4], &[f64; 4])| {
+            let mut both = exact.iter().zip(near);
+            both.all(|(q, c)| c.is_finite() && crate::exact(*c) == *q)
+        };
+        let held = control.iter().zip(&near).all(is_held);
+        let (points, weights): (Vec<Point>, Vec<f64>) =
+            near.into_iter().map(|[x, y, z, w]| ([x, y, z], w)).unzip();
+        let curve = if weighted {
+            RailCurve::Weighted(RationalCurve::from_homogeneous(shape, points, weights)?)
+        } else {
+            RailCurve::Plain(Curve::new(shape, points)?)
+        };
+        Ok(Self {
+            curve,
+            given: (!held).then(|| Arc::new(control)),
+        })
+    }
+
+    /// Returns the exact homogeneous control points; an arc of an ellipse has none.
+    pub(super) fn homogeneous(&self) -> Option<Homogeneous> {
+        if let Some(given) = &self.given {
+            return Some(given.as_ref().clone());
+        }
+        let lifted = |p: &Point, w: f64| {
+            let [x, y, z] = p.map(crate::exact);
+            [x, y, z, crate::exact(w)]
+        };
+        Some(match &self.curve {
+            RailCurve::Plain(curve) => curve.points().iter().map(|p| lifted(p, 1.0)).collect(),
+            RailCurve::Weighted(curve) => curve.homogeneous().map(|(p, w)| lifted(p, *w)).collect(),
+            RailCurve::Elliptic(_) => return None,
+        })
+    }
+
+    /// Returns the curve whose exact homogeneous control points are the images of these, where f64 does not hold these
+    /// or their products with weights; `None` of a curve that is changed on f64.
+    fn changed_exactly(&self, image: impl Fn(&[Rational; 4]) -> [Rational; 4]) -> Option<Self> {
+        let (shape, weighted) = match &self.curve {
+            RailCurve::Plain(curve) => (*curve.basis(), false),
+            RailCurve::Weighted(curve) => (*curve.basis(), true),
+            RailCurve::Elliptic(_) => return None,
+        };
+        if self.given.is_none() && !weighted {
+            return None;
+        }
+        let control = self.homogeneous()?.iter().map(image).collect();
+        Self::rounded(shape, control, weighted).ok()
+    }
+
     /// Returns the curve with these control points and any basis.
     ///
     /// # Errors
@@ -86,10 +198,11 @@ impl Rail {
     /// # Errors
     /// As [`RationalCurve::new`].
     pub fn weighted(shape: BasisShape<f64>, points: &[Point], weights: &[f64]) -> Result<Self> {
-        let curve = RationalCurve::new(shape, points, weights.to_vec())?;
-        Ok(Self {
-            curve: RailCurve::Weighted(curve),
-        })
+        // Refuses what is no weight before it is multiplied.
+        RationalCurve::new(shape, points, weights.to_vec())?;
+        let points: Vec<[Rational; 3]> = points.iter().map(|p| p.map(crate::exact)).collect();
+        let weights: Vec<Rational> = weights.iter().map(|w| crate::exact(*w)).collect();
+        Self::exact(shape, &points, Some(&weights))
     }
 
     /// Returns a quarter of an ellipse about `centre`, exactly.
@@ -161,8 +274,16 @@ impl Rail {
     /// Returns the curve as seen from `origin`; `None` for a weighted curve and an arc of an ellipse.
     pub(super) fn moved_to(&self, origin: Point) -> Option<Self> {
         match &self.curve {
+            RailCurve::Plain(_) if self.given.is_some() => {
+                let from = origin.map(crate::exact);
+                self.changed_exactly(|[x, y, z, w]| {
+                    let [x, y, z] = crate::vector::sub(&[x.clone(), y.clone(), z.clone()], &from);
+                    [x, y, z, w.clone()]
+                })
+            }
             RailCurve::Plain(curve) => Some(Self {
                 curve: RailCurve::Plain(curve.mapped(|p| crate::vector::sub(p, &origin))),
+                given: None,
             }),
             RailCurve::Weighted(_) | RailCurve::Elliptic(_) => None,
         }
@@ -176,7 +297,11 @@ impl Rail {
             RailCurve::Weighted(curve) => RailCurve::Weighted(curve.reversed()),
             RailCurve::Elliptic(curve) => RailCurve::Elliptic(curve.reversed()),
         };
-        Self { curve }
+        let given = self.given.as_ref();
+        Self {
+            curve,
+            given: given.map(|all| Arc::new(all.iter().rev().cloned().collect())),
+        }
     }
 
     /// Returns the image under an affine map.
@@ -191,12 +316,23 @@ impl Rail {
     /// ```
     #[must_use]
     pub fn mapped(&self, map: &AffineMap<f64>) -> Self {
+        let exactly = self.changed_exactly(|[x, y, z, w]| {
+            let point = [x.clone(), y.clone(), z.clone()];
+            let image = |row: usize| {
+                let linear = map.linear[row].map(crate::exact);
+                crate::vector::dot(&linear, &point) + crate::exact(map.shift[row]) * w.clone()
+            };
+            [image(0), image(1), image(2), w.clone()]
+        });
+        if let Some(exactly) = exactly {
+            return exactly;
+        }
         let curve = match &self.curve {
             RailCurve::Plain(curve) => RailCurve::Plain(curve.mapped(|p| map.apply(p))),
             RailCurve::Weighted(curve) => RailCurve::Weighted(curve.mapped(map)),
             RailCurve::Elliptic(curve) => RailCurve::Elliptic(curve.mapped(map)),
         };
-        Self { curve }
+        Self { curve, given: None }
     }
 
     /// Returns the curve that continues this one: its first control points from the joint, then the free ones.
@@ -303,6 +439,7 @@ impl<B: Into<BasisShape<S>> + Basis<S>, S: Coordinate> From<Curve<B, S, 3>> for 
     fn from(curve: Curve<B, S, 3>) -> Self {
         Self {
             curve: RailCurve::Plain(curve.with_basis(Into::into)),
+            given: None,
         }
     }
 }
@@ -311,6 +448,7 @@ impl From<RationalCurve<Bernstein, f64, 3>> for Rail {
     fn from(curve: RationalCurve<Bernstein, f64, 3>) -> Self {
         Self {
             curve: RailCurve::Weighted(curve.with_basis(Into::into)),
+            given: None,
         }
     }
 }
@@ -319,6 +457,7 @@ impl<S: Coordinate> From<EllipticHelix<S>> for Rail<S> {
     fn from(curve: EllipticHelix<S>) -> Self {
         Self {
             curve: RailCurve::Elliptic(curve),
+            given: None,
         }
     }
 }
@@ -358,6 +497,30 @@ impl<S: Coordinate, T: Coordinate> Over<S, T> for Rail<S> {
             RailCurve::Weighted(curve) => RailCurve::Weighted(curve.over(convert)?),
             RailCurve::Elliptic(curve) => RailCurve::Elliptic(curve.over(convert)?),
         };
-        Ok(Rail { curve })
+        let Some(given) = &self.given else {
+            return Ok(Rail { curve, given: None });
+        };
+        // Over another scalar the numbers as they were given.
+        let number = |like: &T, q: &Rational| like.constant(q);
+        let curve = match curve {
+            RailCurve::Plain(curve) => {
+                let pairs = curve.points().iter().zip(given.iter());
+                let points =
+                    pairs.map(|([like, ..], [x, y, z, _])| [x, y, z].map(|q| number(like, q)));
+                RailCurve::Plain(Curve::new(curve.basis().clone(), points.collect())?)
+            }
+            RailCurve::Weighted(curve) => {
+                let pairs = curve.homogeneous().zip(given.iter());
+                let (points, weights) = pairs
+                    .map(|((_, like), [x, y, z, w])| {
+                        ([x, y, z].map(|q| number(like, q)), number(like, w))
+                    })
+                    .unzip();
+                let basis = curve.basis().clone();
+                RailCurve::Weighted(RationalCurve::from_homogeneous(basis, points, weights)?)
+            }
+            RailCurve::Elliptic(curve) => RailCurve::Elliptic(curve),
+        };
+        Ok(Rail { curve, given: None })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Rail, RailCurve};
 use crate::basis::{BasisShape, Bernstein};
-use crate::curve::{Curve, EllipticHelix};
+use crate::curve::{Bezier, Curve, EllipticHelix};
 use crate::error::{GeometryError, Place, Result};
 use crate::vector::sub;
 
@@ -32,6 +32,12 @@ impl Rail {
                 range: "(0, 1)",
             });
         }
+        if let (Some(given), true) = (&self.given, self.is_bezier()) {
+            let weighted = matches!(self.curve(), RailCurve::Weighted(_));
+            let whole = Bezier::new(given.as_ref().clone(), weighted)?;
+            let [first, second] = whole.split(&crate::exact(x))?;
+            return Ok([Self::try_from(&first)?, Self::try_from(&second)?]);
+        }
         match self.curve() {
             RailCurve::Plain(curve) if *curve.basis() == BasisShape::Bernstein => {
                 let curve = curve.clone().with_basis(|_| Bernstein);
@@ -48,6 +54,18 @@ impl Rail {
             },
             RailCurve::Weighted(_) => Err(no_control_points(x)),
         }
+    }
+}
+
+impl Rail {
+    /// Returns whether it is a Bezier curve, weighted or not.
+    fn is_bezier(&self) -> bool {
+        let basis = match self.curve() {
+            RailCurve::Plain(curve) => curve.basis(),
+            RailCurve::Weighted(curve) => curve.basis(),
+            RailCurve::Elliptic(_) => return false,
+        };
+        *basis == BasisShape::Bernstein
     }
 }
 
