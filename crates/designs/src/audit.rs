@@ -82,7 +82,7 @@ impl FaceAudit {
                     &PiecewiseRail::spline(&first)?,
                     &PiecewiseRail::spline(&second)?,
                 ),
-                None => tensor(surface),
+                None => nearly_ruled(surface)?.map_or_else(|| tensor(surface), Ok),
             },
         }
     }
@@ -200,6 +200,44 @@ fn ruled(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<FaceAudit, Geo
         worst: place,
         words,
     })
+}
+
+/// Returns what is known of a B-spline surface that is straight in one direction whatever its degree there, or the
+/// rounding of such a surface; `None` where that shows no developable.
+fn nearly_ruled(surface: &SplineSurface) -> Result<Option<FaceAudit>, GeometryError> {
+    let Some(straight) = surface.straightened()? else {
+        return Ok(None);
+    };
+    let Some([first, second]) = straight.surface.rails()? else {
+        return Ok(None);
+    };
+    let (first, second) = (
+        PiecewiseRail::spline(&first)?,
+        PiecewiseRail::spline(&second)?,
+    );
+    let found = ruled(&first, &second)?;
+    if straight.distance == 0.0 {
+        return Ok(Some(found));
+    }
+    let away = at_most(straight.distance);
+    let words = match found.developable {
+        Assurance::Proved => {
+            format!("within {away} mm of a developable between two of its edges, proved")
+        }
+        Assurance::Within => {
+            let turn = found.twist.map_or(f64::NAN, |[_, high]| high);
+            format!(
+                "within {away} mm, proved, of a ruled surface between two of its edges, along a ruling of which tangent planes turn by at most {} degrees, proved",
+                at_most(turn)
+            )
+        }
+        _ => return Ok(None),
+    };
+    Ok(Some(FaceAudit {
+        developable: Assurance::Within,
+        words,
+        ..found
+    }))
 }
 
 /// Returns a B-spline surface, by the Bezier patches that it consists of.

@@ -54,6 +54,6 @@ pub use mesh::{MAX_VERTICES, Mesh};
 pub use read::{
     CurveShape, FaceBorder, FileKind, FilePlace, Imported, ImportedCurve, ImportedFace,
     ImportedMesh, LengthUnit, MAX_FILE_BYTES, MAX_IMPORTED_CURVES, ReadError, ReadResult,
-    SplineSurface, SurfaceFrame, SurfaceShape, UnitSource, read, text_of_file,
+    SplineSurface, Straightened, SurfaceFrame, SurfaceShape, UnitSource, read, text_of_file,
 };
 pub use write::write_file;

@@ -12,11 +12,13 @@ use crate::design::{
     Tolerances, USUAL_RULINGS,
 };
 use crate::error::DesignError;
+use crate::inspect::at_most;
 use around::{between_planes, has_opening_over_seam};
 use loops::sheets_with_openings;
 use plane::{plane_of_net, plane_sheet};
 use std::path::Path;
-use torse_exchange::{CurveShape, FaceBorder, Imported, ImportedFace, SurfaceShape};
+use torse_exchange::{CurveShape, FaceBorder, Imported, ImportedFace, SplineSurface, SurfaceShape};
+use torse_geometry::curve::Spline;
 use torse_geometry::prelude::{
     GeometryError, PiecewiseRail, Point, Rail, RailCurve, Sheet, SweptEdge,
 };
@@ -253,7 +255,10 @@ fn sheets(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String
                 }
                 None => {
                     let ruled = pairs.into_iter().map(|[p, q]| Sheet::ruled(p, q));
-                    (ruled.collect(), None)
+                    (
+                        ruled.collect(),
+                        rounding_note(&face.surface).map_err(words)?,
+                    )
                 }
             };
             on_surface(face, &sheets, tolerance)?;
@@ -348,7 +353,7 @@ fn is_closed(rail: &PiecewiseRail, tolerance: f64) -> Result<bool, GeometryError
 /// Returns the border that a surface has of itself.
 fn own_border(surface: &SurfaceShape) -> Result<Border, String> {
     if let SurfaceShape::Spline(spline) = surface {
-        let sides = spline.rails().map_err(words)?;
+        let sides = spline_rails(spline).map_err(words)?;
         for [rail, other] in sides.iter().flat_map(|[a, b]| [[a, b], [b, a]]) {
             let mut points = other.points().iter();
             let apex = points.next().filter(|first| points.all(|p| p == *first));
@@ -392,7 +397,7 @@ fn border(face: &ImportedFace, imported: &Imported) -> Result<Border, String> {
         .collect();
     let straight = |k: usize| {
         let edge = kept.get(k).and_then(|(edge, _)| shape(*edge));
-        matches!(edge, Some(CurveShape::Spline(spline)) if spline.degree() == 1 && spline.points().len() == 2)
+        edge.is_some_and(|edge| is_straight(edge, imported))
     };
     let rail = |k: usize| -> Result<PiecewiseRail, String> {
         let missing = || "an edge is missing".to_owned();
@@ -456,7 +461,7 @@ fn own_rails(surface: &SurfaceShape) -> Result<Option<[PiecewiseRail; 2]>, Geome
             let [first, second] = pair.as_ref();
             Ok(Some([first.rail()?, second.rail()?]))
         }
-        SurfaceShape::Spline(surface) => match surface.rails()? {
+        SurfaceShape::Spline(surface) => match spline_rails(surface)? {
             Some([first, second]) => Ok(Some([
                 PiecewiseRail::spline(&first)?,
                 PiecewiseRail::spline(&second)?,
@@ -465,6 +470,51 @@ fn own_rails(surface: &SurfaceShape) -> Result<Option<[PiecewiseRail; 2]>, Geome
         },
         _ => Ok(None),
     }
+}
+
+/// Returns the curves between which a B-spline surface is ruled: by its degree, or by what it is whatever its degree, but
+/// for the rounding of its numbers.
+fn spline_rails(surface: &SplineSurface) -> Result<Option<[Spline; 2]>, GeometryError> {
+    if let Some(rails) = surface.rails()? {
+        return Ok(Some(rails));
+    }
+    match surface.straightened()? {
+        Some(straight) => straight.surface.rails(),
+        None => Ok(None),
+    }
+}
+
+/// Returns how far a B-spline surface is at most from the ruled one that is taken for it, where they are not one.
+fn rounding_note(surface: &SurfaceShape) -> Result<Option<String>, GeometryError> {
+    let SurfaceShape::Spline(surface) = surface else {
+        return Ok(None);
+    };
+    if surface.rails()?.is_some() {
+        return Ok(None);
+    }
+    let straight = surface.straightened()?.filter(|found| found.distance > 0.0);
+    Ok(straight.map(|found| {
+        format!(
+            "ruled between two of its edges: the surface of the file is within {} mm, proved",
+            at_most(found.distance)
+        )
+    }))
+}
+
+/// Returns whether an edge is a straight line, whatever its degree, as far as points of the file are known.
+fn is_straight(edge: &CurveShape, imported: &Imported) -> bool {
+    if edge.segment().is_some() {
+        return true;
+    }
+    let CurveShape::Spline(spline) = edge else {
+        return false;
+    };
+    let near = |p: &[Rational; 3]| p.each_ref().map(Coordinate::approximate);
+    let (Some(from), Some(to)) = (spline.points().first(), spline.points().last()) else {
+        return false;
+    };
+    let length = norm(&sub(&near(to), &near(from)));
+    edge.is_straight_within((SAME * length).max(imported.uncertainty.unwrap_or(0.0)))
 }
 
 /// Returns the other two curves between which the rulings of a surface run as well, where both of these are straight: those from
@@ -542,7 +592,12 @@ fn on_surface(face: &ImportedFace, sheets: &[Sheet], tolerance: f64) -> Result<(
                     }
                     // Its own curves were taken.
                     SurfaceShape::Ruled(_) => 0.0,
-                    SurfaceShape::Spline(surface) if surface.degrees.contains(&1) => 0.0,
+                    SurfaceShape::Spline(surface)
+                        if surface.degrees.contains(&1)
+                            || spline_rails(surface).map_err(words)?.is_some() =>
+                    {
+                        0.0
+                    }
                     _ => {
                         return Err(format!(
                             "the rulings of a {} surface are not known",

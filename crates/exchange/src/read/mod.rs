@@ -35,6 +35,7 @@ mod obj_lines;
 mod polygon;
 mod step;
 mod stl;
+mod straight;
 pub(crate) mod svg;
 mod trim;
 mod turned;
@@ -46,6 +47,7 @@ pub use imported::{
     SurfaceFrame, SurfaceShape,
 };
 pub use kind::FileKind;
+pub use straight::Straightened;
 pub use unit::{LengthUnit, UnitSource};
 
 use imported::{Names, PassedOver};

@@ -12,13 +12,9 @@ pub(super) fn turned(
     direction: &[Rational; 3],
     frame: SurfaceFrame,
 ) -> SurfaceShape {
-    let line = match &curve {
-        CurveShape::Spline(spline) if spline.degree() == 1 => match spline.points() {
-            [from, to] => of_line(from, &sub(to, from), origin, direction, frame),
-            _ => None,
-        },
-        _ => None,
-    };
+    let line = curve
+        .segment()
+        .and_then(|[from, to]| of_line(from, &sub(to, from), origin, direction, frame));
     line.unwrap_or_else(|| SurfaceShape::Revolved(Box::new(curve), frame))
 }
 
