@@ -3,6 +3,7 @@
 mod around;
 mod loops;
 mod plane;
+mod straight;
 
 use crate::DesignUnit;
 use crate::audit::FaceAudit;
@@ -12,13 +13,12 @@ use crate::design::{
     Tolerances, USUAL_RULINGS,
 };
 use crate::error::DesignError;
-use crate::inspect::at_most;
 use around::{between_planes, has_opening_over_seam};
 use loops::sheets_with_openings;
 use plane::{plane_of_net, plane_sheet};
 use std::path::Path;
-use torse_exchange::{CurveShape, FaceBorder, Imported, ImportedFace, SplineSurface, SurfaceShape};
-use torse_geometry::curve::Spline;
+use straight::{is_straight, rounding_note, spline_rails};
+use torse_exchange::{FaceBorder, Imported, ImportedFace, SurfaceShape};
 use torse_geometry::prelude::{
     GeometryError, PiecewiseRail, Point, Rail, RailCurve, Sheet, SweptEdge,
 };
@@ -470,51 +470,6 @@ fn own_rails(surface: &SurfaceShape) -> Result<Option<[PiecewiseRail; 2]>, Geome
         },
         _ => Ok(None),
     }
-}
-
-/// Returns the curves between which a B-spline surface is ruled: by its degree, or by what it is whatever its degree, but
-/// for the rounding of its numbers.
-fn spline_rails(surface: &SplineSurface) -> Result<Option<[Spline; 2]>, GeometryError> {
-    if let Some(rails) = surface.rails()? {
-        return Ok(Some(rails));
-    }
-    match surface.straightened()? {
-        Some(straight) => straight.surface.rails(),
-        None => Ok(None),
-    }
-}
-
-/// Returns how far a B-spline surface is at most from the ruled one that is taken for it, where they are not one.
-fn rounding_note(surface: &SurfaceShape) -> Result<Option<String>, GeometryError> {
-    let SurfaceShape::Spline(surface) = surface else {
-        return Ok(None);
-    };
-    if surface.rails()?.is_some() {
-        return Ok(None);
-    }
-    let straight = surface.straightened()?.filter(|found| found.distance > 0.0);
-    Ok(straight.map(|found| {
-        format!(
-            "ruled between two of its edges: the surface of the file is within {} mm, proved",
-            at_most(found.distance)
-        )
-    }))
-}
-
-/// Returns whether an edge is a straight line, whatever its degree, as far as points of the file are known.
-fn is_straight(edge: &CurveShape, imported: &Imported) -> bool {
-    if edge.segment().is_some() {
-        return true;
-    }
-    let CurveShape::Spline(spline) = edge else {
-        return false;
-    };
-    let near = |p: &[Rational; 3]| p.each_ref().map(Coordinate::approximate);
-    let (Some(from), Some(to)) = (spline.points().first(), spline.points().last()) else {
-        return false;
-    };
-    let length = norm(&sub(&near(to), &near(from)));
-    edge.is_straight_within((SAME * length).max(imported.uncertainty.unwrap_or(0.0)))
 }
 
 /// Returns the other two curves between which the rulings of a surface run as well, where both of these are straight: those from

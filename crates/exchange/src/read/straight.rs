@@ -151,7 +151,7 @@ impl SplineSurface {
             .collect();
         let zero = Rational::default();
         let whole = ends.iter().fold(zero.clone(), |sum, (from, to)| {
-            let way = sub(*to, *from);
+            let way = sub(to, from);
             sum + product(&way, &way)
         });
         if whole == zero || ends.len() != lines.len() {
@@ -165,7 +165,7 @@ impl SplineSurface {
                     .iter()
                     .zip(&ends)
                     .try_fold(zero.clone(), |sum, (line, (from, to))| {
-                        Some(sum + product(&sub(line.get(j)?, *from), &sub(*to, *from)))
+                        Some(sum + product(&sub(line.get(j)?, from), &sub(to, from)))
                     })?;
             let share = part / whole.clone();
             if share < before {
@@ -173,8 +173,8 @@ impl SplineSurface {
             }
             before = share.clone();
             for (line, (from, to)) in lines.iter().zip(&ends) {
-                let arm = sub(line.get(j)?, *from);
-                let way = sub(*to, *from);
+                let arm = sub(line.get(j)?, from);
+                let way = sub(to, from);
                 let [x, y, z, w]: Lifted =
                     std::array::from_fn(|k| arm[k].clone() - share.clone() * way[k].clone());
                 if w != zero {

@@ -58,7 +58,7 @@ impl Piece {
     }
 }
 
-/// The curve on f64: each control point and weight is rounded once.
+/// The curve on f64: each control point and weight is rounded once, and the exact ones are kept.
 impl TryFrom<&Bezier> for Rail {
     type Error = GeometryError;
 
@@ -245,7 +245,8 @@ impl PiecewiseRail {
         })
     }
 
-    /// Returns the image under an affine map, which acts on the rounded control points.
+    /// Returns the image under an affine map: exact where there are weights or what f64 does not hold, else each control
+    /// point is rounded once.
     ///
     /// # Errors
     /// As [`PiecewiseRail::rails`].
