@@ -1,11 +1,12 @@
-(* Scripts of theorems of hermite-developable whose proofs have an idea of their own: nobody has to read them. This is no file for the
+(* Scripts of theorems of hermite-developable whose proofs have an idea of their own: nobody has to read them.
+  This is no file for the
    kernel: `torse prove` reads each script by its claim and its name, and writes it below the statement. *)
 
 (* hermite-developable/abs.construct.a *)
 Theorem met.
 Proof.
   stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0;
+  exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), 0, 0, 0, 0, 0, 0, 0, 0;
   cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part
       cubic_criterion cubic_criterion_ cubic_criterion__ cubic_criterion___ cubic_criterion____ p0]);
   met_joins.
@@ -29,8 +30,8 @@ Proof.
   stage quartic; stage quartic_; stage quartic_data; stage quartic_basis;
   cbv beta zeta delta [instance blend5 hermite4 q4 p4 quartic_gap quartic_part quartic_criterion
     quartic_criterion_ quartic_criterion__ quartic_criterion___ quartic_criterion____ quartic_criterion_____
-    q0 q1 q0u q1u p0 pm]; exists 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-  0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quartic_joins quartic_basis; met_joins.
+    q0 q1 q0u q1u p0 pm]; exists 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2),
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quartic_joins quartic_basis; met_joins.
 Qed.
 
 (* hermite-developable/abs.construct.b *)
@@ -48,8 +49,8 @@ Qed.
 Theorem met.
 Proof.
   stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-  0, 0, 0, 0, 0, 0, 0, 0; quintic_parts quintic_basis ltac:(cbv beta zeta delta [pu q5 p5 quintic_gap
+  exists 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), 0, 0, 0, 0,
+  0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quintic_parts quintic_basis ltac:(cbv beta zeta delta [pu q5 p5 quintic_gap
       quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____
       quintic_criterion_____ quintic_criterion______ q0 q1 q0u q1u p0 pm blend6 hermite5]); met_joins.
 Qed.
@@ -106,7 +107,7 @@ Qed.
 Theorem met.
 Proof.
   cbv beta zeta delta [instance A35]; stage cubic; stage cubic_; stage cubic_data;
-  exists 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0; met_joins; determinants; numeric.
+  exists 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, (1 / 2); met_joins; determinants; numeric.
 Qed.
 
 (* hermite-developable/alg-3.1.step3 *)
@@ -127,7 +128,7 @@ Theorem met.
 Proof.
   cbv beta zeta delta [instance q q_ p_ p gap part criterion criterion__ criterion___ criterion____
     criterion_____ criterion______]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-  0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; joins ltac:(fun u => apply monomial_curve);
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); joins ltac:(fun u => apply monomial_curve);
   counted_joins; met_joins.
 Qed.
 
@@ -145,7 +146,7 @@ Qed.
 Theorem met.
 Proof.
   cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-  0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cbv beta zeta delta [parallel q p];
+  0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); cbv beta zeta delta [parallel q p];
   ratios ltac:(fun u => apply monomial_curve); met_joins.
 Qed.
 
@@ -212,7 +213,7 @@ Proof.
   assert (P : forall f0 f1 f2 f3 f4 f5 k s z, part f0 f1 f2 f3 f4 f5 k s z = nth (Z.to_nat z) [k * f0 + k * f1
       - (1 - k) * s; k * f1 + 2 * k * f2; k * f2 + 3 * k * f3; k * f3 + 4 * k * f4; k * f4 + 5 * k * f5;
       k * f5] 0) by (intros; exact (coefficient_of _ _ (Z.to_nat z) (C f0 f1 f2 f3 f4 f5 k s)));
-  cbv beta zeta delta [statement]; intro no; apply (no 0 0 0 0 0 0 1 0 0); clear no;
+  cbv beta zeta delta [statement]; intro no; apply (no 0 0 0 0 0 0 1 0 (1 / 2)); clear no;
   [lra | lra | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | lia
     | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | rewrite !P;
     cbv beta iota delta [Z.to_nat Pos.to_nat Pos.iter_op Nat.add nth]; repeat split; ring
@@ -234,7 +235,7 @@ Proof.
     derivatives; cbn [poly]; ring); assert (P : forall f0 f1 f2 f3 f4 f5 k z, part f0 f1 f2 f3 f4 f5 k z = nth
     (Z.to_nat z) [f0 + k * f1; f1 + 2 * k * f2; f2 + 3 * k * f3; f3 + 4 * k * f4; f4 + 5 * k * f5;
       f5] 0) by (intros; exact (coefficient_of _ _ (Z.to_nat z) (C f0 f1 f2 f3 f4 f5 k)));
-  cbv beta zeta delta [statement]; intro no; apply (no 0 0 0 0 0 0 1 0); clear no;
+  cbv beta zeta delta [statement]; intro no; apply (no 0 0 0 0 0 0 1 (1 / 2)); clear no;
   [lra | lra | lia | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | lia
     | compute_goal; numeric | lia | compute_goal; numeric | lia | compute_goal; numeric | rewrite !P;
     cbv beta iota delta [Z.to_nat Pos.to_nat Pos.iter_op Nat.add nth]; repeat split; ring
@@ -251,7 +252,7 @@ Theorem met.
 Proof.
   cbv beta zeta delta [instance q p gap part criterion criterion__ criterion___ criterion____ criterion_____
     criterion______]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-  0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; joins ltac:(fun u => apply monomial_curve); counted_joins;
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); joins ltac:(fun u => apply monomial_curve); counted_joins;
   met_joins.
 Qed.
 
@@ -290,7 +291,7 @@ Theorem met.
 Proof.
   cbv beta zeta delta [instance q p gap part criterion criterion__ criterion___ criterion____ criterion_____
     criterion______]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-  0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; joins ltac:(fun u => apply monomial_curve); counted_joins;
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); joins ltac:(fun u => apply monomial_curve); counted_joins;
   met_joins.
 Qed.
 
@@ -455,7 +456,8 @@ Qed.
 Theorem met.
 Proof.
   stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0;
+  exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+  (1 / 2);
   cubic_parts cubic_basis ltac:(cbv beta zeta delta [blend4 hermite3 q3 p3 cubic_gap cubic_part
       cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____]); met_joins.
 Qed.
@@ -1458,7 +1460,8 @@ Qed.
 Theorem met.
 Proof.
   stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0);
+  exists 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (fun _ => 0), (fun _ => 0), (fun _ => 0),
+  (fun _ => 0);
   with_cubic_numbers cubic_basis ltac:(fun curve => conjuncts; intros; conjuncts;
     cbv beta zeta delta [blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__
       cubic_criterion___ cubic_criterion____ cubic_criterion_]; joins_of_numbers curve; counted_joins);
@@ -1480,7 +1483,8 @@ Proof.
       | apply (affine _ (fun s => (q1 + (k - 1) * s) / k))];
     first [intro; apply F | intro; field; assumption] |];
   clear F e1 e2 e3 e4 p1_of_o p0u_of_o p1u_of_o p0_of_o;
-  let away := (clear CR; let no := fresh in intro no; generalize (no 0 0 0 0 1 1 0 0 0 0 0 0 0 0 0); clear no;
+  let away := (clear CR; let no := fresh in intro no; generalize (no 0 0 0 0 1 1 0 0 0 0 0 0 0 0 (1 / 2));
+  clear no;
     with_cubic_numbers cubic_basis joins_of_numbers; counted_joins;
     repeat lazymatch goal with |- (?A -> _) -> False => let K := fresh in assert (K : A) by first [premise
       | near]; let N := fresh in intro N; specialize (N K); clear K; revert N end; derivatives;
@@ -1565,7 +1569,7 @@ Qed.
 Theorem met.
 Proof.
   stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 2, 0, 0, 0, (-10), 30, (45/2), 0, 0, 0, (-10), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0;
+  exists 0, 0, 0, 0, 2, 0, 0, 0, (-10), 30, (45/2), 0, 0, 0, (-10), 0, 0, 0, 0, 0, (1 / 2), 0, 0, 0, 0, 0, 0;
   cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part
       cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ cubic_basis_ hermite3_ p3_ x]);
   met_joins.
@@ -1607,8 +1611,8 @@ Qed.
 Theorem met.
 Proof.
   stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 75, 30, 45, 0, (-15), 30, 75, (-25), 45, 0, (-25), (-30), 0, (130/3), 40, 45, 0, (-20),
-  40, (130/3), (-100/3), 45, 0, (-100/3), (-40);
+  exists 0, 0, 0, 0, 75, 30, 45, 0, (-15), 30, 75, (-25), 45, 0, (-25), (-30), (1 / 2), (130/3), 40, 45, 0,
+  (-20), 40, (130/3), (-100/3), 45, 0, (-100/3), (-40);
   cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 k p3 o cubic_gap
       cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ narrow narrow_gap
       narrow_part narrow_criterion narrow_criterion_ narrow_criterion__ narrow_criterion___]); met_joins.
@@ -1706,7 +1710,8 @@ Qed.
 Theorem met.
 Proof.
   stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 100, 20, 45, 0, (-15), 30, 40, (-15), 45, 0, (-25), (-30), (-20), (-20), (-45), 0, 0,
+  exists 0, 0, 0, 0, 0, 100, 20, 45, 0, (-15), 30, 40, (-15), 45, 0, (-25), (-30), (-20), (-20), (-45),
+  (1 / 2), 0,
   0; quartic_parts quartic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u p0 pm blend5 hermite4 q4 k p4
       quartic_gap quartic_part quartic_criterion quartic_criterion__ quartic_criterion___
       quartic_criterion____ quartic_criterion_____]); met_joins.
@@ -1851,8 +1856,9 @@ Qed.
 Theorem met.
 Proof.
   stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 0, 100, 20, 45, 0, (-30), 45, 40, (-15), 45, 0, 0, 0, (-20), 5, 35, 0, 0, 0, 0, 0, 0,
-  0, 0; quintic_parts quintic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u p0 pm pu blend6 hermite5 q5 k p5
+  exists 0, 0, 0, 0, 0, 0, 100, 20, 45, 0, (-30), 45, 40, (-15), 45, 0, 0, 0, (-20), 5, 35, 0, 0, 0, (1 / 2),
+  0, 0, 0,
+  0; quintic_parts quintic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u p0 pm pu blend6 hermite5 q5 k p5
       quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___
       quintic_criterion____ quintic_criterion_____ quintic_criterion______]); met_joins.
 Qed.
@@ -1958,7 +1964,7 @@ Theorem met.
 Proof.
   stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance];
   exists 0, 0, 0, 0, 0, 0, 40, 40, 45, 0, (-30), 45, 40, (-15), 45, 0, (-25), (-15), 40, (25/2), 40, 0, (-25),
-  35, 0; quintic_parts quintic_basis ltac:(cbv beta zeta delta [q0 qm q1 q0u qu q1u q5 k o quintic_gap
+  35, (1 / 2); quintic_parts quintic_basis ltac:(cbv beta zeta delta [q0 qm q1 q0u qu q1u q5 k o quintic_gap
       quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____
       quintic_criterion_____ quintic_criterion______ normal blend6 hermite5 p5 a_ d_]); met_joins;
   compute_goal; numeric.
@@ -2150,7 +2156,7 @@ Theorem met.
 Proof.
   stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance];
   exists 0, 0, 0, 0, 0, 0, 40, 40, 45, 0, (-30), 45, 40, (-15), 45, 0, (-25), (-15), 40, (25/2), 40, 0, (-25),
-  35, 0; quintic_parts quintic_basis ltac:(cbv beta zeta delta [q0 qm q1 q0u qu q1u q5 k o quintic_gap
+  35, (1 / 2); quintic_parts quintic_basis ltac:(cbv beta zeta delta [q0 qm q1 q0u qu q1u q5 k o quintic_gap
       quintic_part quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____
       quintic_criterion_____ quintic_criterion______ normal blend6 hermite5 p5 a_ d_]); met_joins;
   compute_goal; numeric.
@@ -2243,7 +2249,7 @@ Qed.
 Theorem met.
 Proof.
   stage quartic; stage quartic_; stage quartic_data; stage quintic; stage quintic_; stage quintic_data;
-  cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0; met_joins.
+  cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, (1 / 2); met_joins.
 Qed.
 
 (* hermite-developable/fig-1b.middle *)
@@ -2262,7 +2268,7 @@ Proof.
   let told := (repeat curve_at ltac:(fun u => first [apply QB | apply QA]); rewrite ?QB, ?QA;
     cbv beta iota zeta delta [slope_n slope slopes tl poly quintic_of quartic_of]) in conjuncts;
   lazymatch goal with |- ~ _ => let no := fresh in intro no;
-  specialize (no 0 0 0 0 0 0 0 ltac:(lra) ltac:(met_joins) ltac:(met_joins)); revert no; told;
+  specialize (no 0 0 0 0 0 0 (1 / 2) ltac:(lra) ltac:(met_joins) ltac:(met_joins)); revert no; told;
   let C := fresh in intro C; contradiction_in C | |- _ => told; compute_goal; parts; field end.
 Qed.
 
@@ -2271,7 +2277,8 @@ Theorem met.
 Proof.
   stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance];
   exists 0, 0, 0, 0, 0, 0, 100, 20, 45, 0, (-30), 45, 40, (-15), 45, 0, (-25), (-15), (-20), 5, 35, 0, (-50),
-  (-70), 0, 0; quintic_parts quintic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u p0 pm pu blend6 hermite5
+  (-70), (1 / 2),
+  (1 / 2); quintic_parts quintic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u p0 pm pu blend6 hermite5
       q5 k p5 quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___
       quintic_criterion____ quintic_criterion_____ quintic_criterion______ patch patch_ normal normal_]);
   met_joins.
@@ -2293,7 +2300,7 @@ Theorem met.
 Proof.
   stage cubic; stage cubic_; stage cubic_data; stage quartic; stage quartic_; stage quartic_data;
   stage quintic; stage quintic_; stage quintic_data; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins.
+  exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); met_joins.
 Qed.
 
 (* hermite-developable/sec-2.control *)
@@ -2364,7 +2371,7 @@ Qed.
 Theorem met.
 Proof.
   stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0;
+  exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), 0, 0, 0, 0, 0, 0, 0, 0;
   cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part
       cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ x]); met_joins.
 Qed.
@@ -2404,8 +2411,9 @@ Qed.
 Theorem met.
 Proof.
   stage quartic; stage quartic_; stage quartic_data; stage quartic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (fun s => 2 * s), (fun _ => 0), (fun _ => 0),
-  (fun _ => 0), (fun _ => 0); with_quartic_numbers quartic_basis ltac:(fun curve => conjuncts; intros;
+  exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (fun s => 2 * s), (fun _ => 0),
+  (fun _ => 0), (fun _ => 0),
+  (fun _ => 0); with_quartic_numbers quartic_basis ltac:(fun curve => conjuncts; intros;
     conjuncts; cbv beta zeta delta [blend5 hermite4 quartic_criterion_ q4 p4 quartic_gap quartic_part
       quartic_criterion quartic_criterion__ quartic_criterion___ quartic_criterion____
       quartic_criterion_____]; joins_of_numbers curve; counted_joins); met_joins; first [lra | numeric].
@@ -2467,7 +2475,8 @@ Qed.
 Theorem met.
 Proof.
   stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (fun _ => 0), (fun s => 2 * s), (fun _
+  exists 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (fun _ => 0), (fun s => 2 * s),
+  (fun _
     => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0);
   (cbv beta zeta delta [blend6 hermite5 quintic_criterion_ q5 p5 quintic_gap quintic_part quintic_criterion
       quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____
@@ -2525,8 +2534,8 @@ Qed.
 Theorem met.
 Proof.
   cbv beta zeta delta [instance a5 a4 a3 a2 a1 a0 p gap part criterion criterion__ criterion___ criterion____
-    criterion_____ criterion______ q]; exists 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 0,
-  0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; joins ltac:(fun u => apply monomial_curve); counted_joins;
+    criterion_____ criterion______ q]; exists 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 0, 0,
+    0, (1 / 2), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; joins ltac:(fun u => apply monomial_curve); counted_joins;
   cbv beta iota delta [entry nth Nat.pred]; met_joins.
 Qed.
 
@@ -2564,7 +2573,7 @@ Qed.
 Theorem met.
 Proof.
   stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0;
+  exists 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2);
   quintic_number_parts quintic_basis ltac:(cbv beta zeta delta [blend6 hermite5 q5 p5 quintic_gap quintic_part
       quintic_criterion quintic_criterion__ quintic_criterion___ quintic_criterion____ quintic_criterion_____
       quintic_criterion______ quintic_criterion_ a d normal image r]); met_joins; first [lra | numeric].
@@ -2625,7 +2634,7 @@ Qed.
 (* hermite-developable/sec-4.goal.leaves *)
 Theorem met.
 Proof.
-  cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; lra.
+  cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, (1 / 2), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; lra.
 Qed.
 
 (* hermite-developable/sec-4.goal.leaves *)
@@ -2651,7 +2660,7 @@ Theorem met.
 Proof.
   cbv beta zeta delta [instance normal]; stage quintic; stage quintic_; stage quintic_data;
   exists 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-  0, 0, 0, 0, 0, 0; met_joins; first [lra | compute_goal; lra].
+  0, 0, (1 / 2), 0, 0, 0; met_joins; first [lra | compute_goal; lra].
 Qed.
 
 (* hermite-developable/sec-4.goal.parallel *)

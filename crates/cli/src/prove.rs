@@ -117,7 +117,7 @@ impl Prove {
         if let (true, Some(coqc)) = (self.check, &coqc) {
             let (summary, found) = match self.changed {
                 true => self.check_changed(coqc, &folder)?,
-                false => self.check_all(coqc, &folder)?,
+                false => self.check_all(coqc, &folder, self.compile_library(coqc)?.path())?,
             };
             text.push_str(&summary);
             exit = found;
@@ -271,92 +271,123 @@ impl Prove {
         unkept.map_or(Ok(failing), Err)
     }
 
-    /// Asks the kernel about theorems that it did not accept yet with this library, statement and proof. A printed
-    /// statement that follows from an accepted one is checked with that one as a premise; all others are checked with
-    /// their section.
+    /// Asks the kernel about theorems that it did not accept yet with this library, statement and proof, and about no
+    /// others. Answers are stored section by section.
     fn check_changed(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
+        let open = self.open_theorems(coqc, folder);
+        if open.is_empty() {
+            return Ok((
+                "all was accepted as it stands\n".to_owned(),
+                Exit::AsExpected,
+            ));
+        }
+        let scratch = self.compile_library(coqc)?;
+        let mut text = String::new();
+        let mut exit = Exit::AsExpected;
+        let is_printed = |theorem: &&Theorem| theorem.rests_on.is_some();
+        let proved = open.iter().filter(|theorem| !is_printed(theorem));
+        let proved = folder.of_theorems(&proved.map(|theorem| theorem.name()).collect());
+        for section in proved.sections() {
+            let own = proved.of_sections(&BTreeSet::from([section]));
+            let (summary, found) = self.check_all(coqc, &own, scratch.path())?;
+            text.push_str(&format!("{section}: {summary}"));
+            exit = exit.max(found);
+        }
+        if open.iter().any(|theorem| is_printed(&theorem)) {
+            let (summary, found) = self.check_printed(coqc, folder, scratch.path())?;
+            text.push_str(&summary);
+            exit = exit.max(found);
+        }
+        Ok((text, exit))
+    }
+
+    /// The theorems that were not accepted as they are.
+    fn open_theorems<'f>(&self, coqc: &Coqc, folder: &'f Folder) -> Vec<&'f Theorem> {
         let prints = Fingerprints::of_version(&coqc.version);
         let old = Accepted::read(&self.out).filter(|old| old.coq == coqc.version);
-        let known = |theorem: &Theorem| {
+        let is_known = |theorem: &&Theorem| {
             let old = old.as_ref();
             old.is_some_and(|old| old.has(theorem, &prints.fingerprint(theorem)))
         };
-        let proved: BTreeSet<String> = folder
-            .theorems
-            .iter()
-            .filter(|t| known(t))
-            .map(Theorem::name)
-            .collect();
-        let follows = |theorem: &Theorem| {
-            printed::proved(&theorem.section)
-                .is_some_and(|core| proved.contains(&format!("{core}.{}", theorem.module)))
+        let all = folder.theorems.iter();
+        all.filter(|theorem| !is_known(theorem)).collect()
+    }
+
+    /// Checks the open printed statements with the statements that they follow from as premises, where these were
+    /// accepted.
+    fn check_printed(
+        &self,
+        coqc: &Coqc,
+        folder: &Folder,
+        scratch: &Path,
+    ) -> Result<(String, Exit), Failure> {
+        let open = self.open_theorems(coqc, folder);
+        let (printed, core): (Vec<&Theorem>, Vec<&Theorem>) = open
+            .into_iter()
+            .partition(|theorem| theorem.rests_on.is_some());
+        let core: BTreeSet<String> = core.into_iter().map(Theorem::name).collect();
+        let follows = |theorem: &&&Theorem| {
+            let section = printed::proved(&theorem.section);
+            section.is_some_and(|core_section| {
+                !core.contains(&format!("{core_section}.{}", theorem.module))
+            })
         };
-        let open = || folder.theorems.iter().filter(|theorem| !known(theorem));
-        let sections: BTreeSet<&str> = open()
-            .filter(|theorem| !follows(theorem))
-            .map(|theorem| theorem.section.as_str())
-            .collect();
-        let mut alone = folder.clone();
-        alone.theorems.retain(|theorem| {
-            !known(theorem) && follows(theorem) && !sections.contains(theorem.section.as_str())
-        });
-        let mut text = String::new();
-        let mut exit = Exit::AsExpected;
-        if let (false, Some(mut accepted)) = (alone.theorems.is_empty(), old) {
-            accepted.coqchk = None;
-            let scratch = self.compile_library(coqc)?;
-            let progress = Progress::new("checking what is printed", alone.sections().len());
-            let accepted = Mutex::new(accepted);
-            // Answers are stored section by section.
-            let keep = |names: &[String], failing: &Unproved| {
-                progress.step();
-                let mut accepted = accepted.lock().unwrap_or_else(PoisonError::into_inner);
-                for theorem in &alone.theorems {
-                    let name = theorem.name();
-                    if names.contains(&name) && !failing.contains_key(&name) {
-                        accepted.theorems.insert(name, prints.fingerprint(theorem));
-                    }
-                }
-                self.write(ACCEPTED, &pretty_json(&*accepted)?)
-            };
-            let failing =
-                self.try_scripts_within(coqc, &alone, scratch.path(), self.file_limit, &keep)?;
-            progress.finish();
+        let names = printed.iter().filter(follows).map(|theorem| theorem.name());
+        let alone = folder.of_theorems(&names.collect());
+        let open = printed.len() - alone.theorems.len();
+        let prints = Fingerprints::of_version(&coqc.version);
+        let Some(mut accepted) = Accepted::read(&self.out).filter(|old| old.coq == coqc.version)
+        else {
+            let all = printed.len();
+            return Ok((
+                format!("{all} not reached as printed\n"),
+                Exit::Contradiction,
+            ));
+        };
+        accepted.coqchk = None;
+        let progress = Progress::new("checking what is printed", alone.sections().len());
+        let accepted = Mutex::new(accepted);
+        let keep = |names: &[String], failing: &Unproved| {
+            progress.step();
+            let mut accepted = accepted.lock().unwrap_or_else(PoisonError::into_inner);
             for theorem in &alone.theorems {
                 let name = theorem.name();
-                if let Some(reason) = failing.get(&name) {
-                    text.push_str(&format!("rejected: {} ({name})\n{reason}\n", theorem.id));
-                    exit = Exit::Contradiction;
+                if names.contains(&name) && !failing.contains_key(&name) {
+                    accepted.theorems.insert(name, prints.fingerprint(theorem));
                 }
             }
-            text.push_str(&format!(
-                "{} accepted as printed, {} rejected, beside what they follow from\n",
-                alone.theorems.len() - failing.len(),
-                failing.len()
-            ));
-        }
-        if sections.is_empty() {
-            if alone.theorems.is_empty() {
-                text.push_str("all was accepted as it stands\n");
+            self.write(ACCEPTED, &pretty_json(&*accepted)?)
+        };
+        let failing = self.try_scripts_within(coqc, &alone, scratch, self.file_limit, &keep)?;
+        progress.finish();
+        let mut text = String::new();
+        for theorem in &alone.theorems {
+            let name = theorem.name();
+            if let Some(reason) = failing.get(&name) {
+                text.push_str(&format!("rejected: {} ({name})\n{reason}\n", theorem.id));
             }
-            return Ok((text, exit));
         }
-        let (summary, found) = self.check_all(coqc, &folder.of_sections(&sections))?;
-        text.push_str(&summary);
-        Ok((
-            text,
-            match exit {
-                Exit::AsExpected => found,
-                worse => worse,
-            },
-        ))
+        text.push_str(&format!(
+            "{} accepted as printed, {} rejected, {open} not reached, beside what they follow from\n",
+            alone.theorems.len() - failing.len(),
+            failing.len()
+        ));
+        let exit = match failing.len() + open {
+            0 => Exit::AsExpected,
+            _ => Exit::Contradiction,
+        };
+        Ok((text, exit))
     }
 
     /// Asks the kernel, stores the accepted theorems, and describes the result.
-    fn check_all(&self, coqc: &Coqc, folder: &Folder) -> Result<(String, Exit), Failure> {
-        let scratch = self.compile_library(coqc)?;
+    fn check_all(
+        &self,
+        coqc: &Coqc,
+        folder: &Folder,
+        scratch: &Path,
+    ) -> Result<(String, Exit), Failure> {
         let progress = Progress::new("checking", folder.sections().len() + 1);
-        let checked = coqc.check(folder, scratch.path(), self.limits(), &|| progress.step());
+        let checked = coqc.check(folder, scratch, self.limits(), &|| progress.step());
         progress.finish();
         let (answers, axioms) = checked?;
         let mut text = String::new();
@@ -410,7 +441,7 @@ impl Prove {
         let rechecked = match self.thorough {
             true => {
                 let progress = Progress::new("coqchk", 1);
-                let answer = coqc.recheck(scratch.path(), self.limits(), accepted.len())?;
+                let answer = coqc.recheck(scratch, self.limits(), accepted.len())?;
                 progress.finish();
                 text.push_str(match answer.as_ref().map(|answer| answer.accepted) {
                     Some(true) => "coqchk accepts what was compiled\n",

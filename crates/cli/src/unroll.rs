@@ -13,7 +13,8 @@ use std::path::{Path, PathBuf};
 #[cfg(feature = "pdf")]
 use torse_designs::bench::{PaperSize, bench_sheets, tiled_parts};
 use torse_designs::export::PATTERNS;
-use torse_designs::inspect::{inspect_for, inspect_unrolled, missed_line, wrapped};
+use torse_designs::inspect::{inspect_for, inspect_unrolled, missed_line};
+use torse_designs::lines::wrapped;
 #[cfg(feature = "pdf")]
 use torse_designs::unroll::FlatPiece;
 use torse_designs::unroll::{

@@ -1,7 +1,8 @@
 //! Is a face of a file developable? Decided where it can be, measured where not, with the place that says no.
 
 use crate::design::Tolerances;
-use crate::inspect::{Assurance, at_most, number};
+use crate::inspect::Assurance;
+use crate::numbers::{at_most, number};
 use serde::Serialize;
 use torse_exchange::{CurveShape, ImportedFace, SplineSurface, SurfaceFrame, SurfaceShape};
 use torse_geometry::prelude::{GeometryError, MeasureBudget, PiecewiseRail, Point, Sheet};

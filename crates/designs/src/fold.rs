@@ -7,7 +7,8 @@
 
 use crate::design::{Design, DesignPiece};
 use crate::error::DesignError;
-use crate::inspect::{number, wrapped};
+use crate::lines::wrapped;
+use crate::numbers::number;
 use crate::unroll::{Demand, unroll};
 use serde::Serialize;
 use std::path::Path;

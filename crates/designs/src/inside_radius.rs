@@ -1,7 +1,7 @@
 //! Inside radii against what a material allows: what is met exactly is met.
 
 use crate::design::Material;
-use crate::inspect::number;
+use crate::numbers::number;
 use crate::rounding::settled;
 
 /// Returns the inside radius as a multiple of the thickness where the designed surface, at this share of the thickness from

@@ -2,7 +2,8 @@
 
 use crate::audit::FaceAudit;
 use crate::faces::openings_of_face;
-use crate::inspect::{columns, number, wrapped};
+use crate::lines::{columns, wrapped};
+use crate::numbers::number;
 use serde::Serialize;
 use std::path::Path;
 use torse_exchange::{FilePlace, Imported, LengthUnit, ReadError};

@@ -82,7 +82,7 @@ fn entry(page: &mut String, figure: &FigureImage, moving: &str) -> fmt::Result {
 }
 
 /// Escapes every sign of HTML and Markdown in a text, and puts it on one line.
-pub(crate) fn escaped(text: &str) -> String {
+fn escaped(text: &str) -> String {
     let mut plain = String::with_capacity(text.len());
     for character in visible(text).chars() {
         match character {

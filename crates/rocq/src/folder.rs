@@ -10,7 +10,7 @@ use crate::script::{self, scripts};
 use crate::shared::Shared;
 use crate::task::{Goal, ProofTask, goals};
 use crate::theorem::Theorem;
-use crate::{check, closed, section};
+use crate::{check, closed, modules, section};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use torse_certificate::Evidence;
@@ -174,6 +174,27 @@ impl Folder {
         folder
             .theorems
             .retain(|theorem| sections.contains(theorem.section.as_str()));
+        folder
+    }
+
+    /// Returns the same folder with some theorems alone, by name; the files of proofs contain no others.
+    #[must_use]
+    pub fn of_theorems(&self, names: &BTreeSet<String>) -> Self {
+        let mut folder = self.clone();
+        folder
+            .theorems
+            .retain(|theorem| names.contains(&theorem.name()));
+        let files = folder.files.into_iter().filter_map(|(path, text)| {
+            let Some(section) = path.strip_suffix(PROOFS) else {
+                return Some((path, text));
+            };
+            let parts = modules::split(&text);
+            let is_kept = |module: &str| names.contains(&format!("{section}.{module}"));
+            let kept = parts.modules.iter().filter(|(module, _)| is_kept(module));
+            let kept: Vec<&str> = kept.map(|(_, body)| *body).collect();
+            (!kept.is_empty()).then(|| (path.clone(), modules::join(parts.head, kept)))
+        });
+        folder.files = files.collect();
         folder
     }
 
@@ -350,6 +371,38 @@ mod tests {
             proof: "exact I".to_owned(),
             rests_on: None,
         }
+    }
+
+    #[test]
+    fn a_folder_of_some_theorems_has_their_proofs_alone() {
+        let proofs = "head\n\nModule a.\nEnd a.\n\nModule b.\nEnd b.\n";
+        let folder = Folder {
+            files: BTreeMap::from([
+                ("P/One.v".to_owned(), "statements".to_owned()),
+                ("P/One_proofs.v".to_owned(), proofs.to_owned()),
+                ("P/Two_proofs.v".to_owned(), proofs.to_owned()),
+            ]),
+            theorems: vec![
+                theorem("P/One", "a"),
+                theorem("P/One", "b"),
+                theorem("P/Two", "a"),
+            ],
+            ..Folder::default()
+        };
+        let some = folder.of_theorems(&BTreeSet::from(["P/One.b".to_owned()]));
+        assert_eq!(some.theorems, [theorem("P/One", "b")]);
+        let left: Vec<(&str, &str)> = some
+            .files
+            .iter()
+            .map(|(path, text)| (path.as_str(), text.as_str()))
+            .collect();
+        assert_eq!(
+            left,
+            [
+                ("P/One.v", "statements"),
+                ("P/One_proofs.v", "head\n\nModule b.\nEnd b.\n"),
+            ]
+        );
     }
 
     #[test]

@@ -16,7 +16,7 @@ pub use tiles::{PaperTile, TiledPart};
 
 use crate::design::Design;
 use crate::error::DesignError;
-use crate::inspect::at_most;
+use crate::numbers::at_most;
 use crate::openings::OpeningShape;
 use crate::unroll::{Blank, FlatPiece, Part, beside_bends, blank};
 use forming::forming;

@@ -1,6 +1,6 @@
 //! Numbers as they are read at a bench.
 
-use crate::inspect::numbers::without_trailing_zeros;
+use crate::numbers::without_trailing_zeros;
 
 /// Returns a length with two decimals at most: nobody measures more.
 pub(super) fn length(value: f64) -> String {

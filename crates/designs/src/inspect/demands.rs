@@ -1,9 +1,9 @@
 //! What a design demands of its patches and edges, and misses.
 
-use super::numbers::number;
 use super::report::PatchReport;
 use crate::design::{Design, Patch};
 use crate::inside_radius::{inside_ratio, objection};
+use crate::numbers::number;
 use crate::unroll::Demand;
 use torse_geometry::Rails;
 use torse_geometry::prelude::GeometryError;

@@ -2,10 +2,10 @@
 
 use super::contact::SelfContact;
 use super::ends::{EndsJudged, Judged, judged};
-use super::numbers::number;
 use super::report::{Assurance, PatchReport, ValueBounds};
 use crate::design::{Design, NamedCurve, Patch};
 use crate::inside_radius::inside_ratio;
+use crate::numbers::number;
 use crate::plane_contour::PlaneFrame;
 use torse_geometry::Rails;
 use torse_geometry::developable::{EnclosedCertificate, PatchCertificate, Singularity};

@@ -6,7 +6,7 @@ use super::pairs::{Chord, chords, for_pairs, meetings, shared};
 use super::rules::{Check, LintRule, LintRules};
 use super::trace::{Traced, traced};
 use super::{RuleFault, RuleOutcome, RuleRow};
-use crate::inspect::number;
+use crate::numbers::number;
 use crate::polygon::distance;
 use torse_exchange::{Imported, UnitSource};
 use torse_geometry::GeometryError;

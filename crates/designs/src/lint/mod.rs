@@ -13,7 +13,8 @@ mod trace;
 pub use rules::{Check, LintRule, LintRules};
 
 use crate::error::DesignError;
-use crate::inspect::{columns, number, wrapped};
+use crate::lines::{columns, wrapped};
+use crate::numbers::number;
 use judge::Judge;
 use serde::Serialize;
 use torse_exchange::LengthUnit;

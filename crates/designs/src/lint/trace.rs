@@ -1,7 +1,7 @@
 //! The curves of a drawing as lines and arcs.
 
 use super::rules::LintRules;
-use crate::inspect::number;
+use crate::numbers::number;
 use torse_exchange::{CurveShape, Imported, ReadError};
 use torse_geometry::Coordinate;
 use torse_geometry::GeometryError;

@@ -6,7 +6,7 @@ use super::lettering::{self, Drawn, LetteringPlace};
 use super::marks::{FlatMark, flat_marks};
 use crate::design::{Design, Patch};
 use crate::error::DesignError;
-use crate::inspect::at_most;
+use crate::numbers::at_most;
 use crate::openings::{OpeningShape, openings};
 use torse_exchange::{Drawing, Layer, Text};
 use torse_geometry::pattern::FlatPattern;

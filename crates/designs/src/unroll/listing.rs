@@ -4,7 +4,8 @@ use super::beside::{BesideBend, beside_bends};
 use super::part::{Part, kerf_words};
 use super::summary::{PatternSummary, PieceSummary};
 use crate::design::Design;
-use crate::inspect::{at_most, number, wrapped};
+use crate::lines::wrapped;
+use crate::numbers::{at_most, number};
 use serde::Serialize;
 use std::fmt::Write;
 

@@ -9,7 +9,7 @@ use super::offset::moved_outwards;
 use super::{FlatPiece, drawing};
 use crate::design::Design;
 use crate::error::DesignError;
-use crate::inspect::{at_most, without_trailing_zeros};
+use crate::numbers::{at_most, without_trailing_zeros};
 use crate::openings::{Opening, OpeningShape, openings};
 use crate::position::position;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};

@@ -2,7 +2,8 @@
 
 use super::FlatPiece;
 use crate::design::Design;
-use crate::inspect::{at_most, number, wrapped};
+use crate::lines::wrapped;
+use crate::numbers::{at_most, number};
 use crate::openings::{Opening, OpeningShape, openings};
 use serde::Serialize;
 use std::f64::consts::PI;

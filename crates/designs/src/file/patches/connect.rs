@@ -5,7 +5,7 @@ use super::raw::{MadePatches, UntrimmedSurface, trimmed};
 use crate::design::{Mark, Smoothness};
 use crate::file::pieces::{PatchIntervals, distributed, is_closed};
 use crate::file::reader::Reader;
-use crate::inspect::numbers::without_trailing_zeros;
+use crate::numbers::without_trailing_zeros;
 use std::ops::Range;
 use torse_geometry::developable::Branch;
 use torse_geometry::prelude::{

@@ -79,7 +79,7 @@ fn complain(
     };
     match error {
         StripError::Asymptotic { point, .. } => {
-            let [x, y, z] = point.map(crate::inspect::number);
+            let [x, y, z] = point.map(crate::numbers::number);
             let message = format!("{error}; the point is ({x}, {y}, {z})");
             let help = format!(
                 "`along = \"{other}\"`, or a net whose curves bend to one side along the surface"
