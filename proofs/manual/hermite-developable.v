@@ -2741,8 +2741,7 @@ Qed.
 Theorem met.
 Proof.
   stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-  0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quintic_parts quintic_basis ltac:(cbv beta zeta delta [blend6
+  exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); quintic_parts quintic_basis ltac:(cbv beta zeta delta [blend6
       hermite5 p5 q5 quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___
       quintic_criterion____ quintic_criterion_____ quintic_criterion______]); met_joins.
 Qed.
@@ -2760,8 +2759,7 @@ Qed.
 Theorem met.
 Proof.
   stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-  0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quintic_parts quintic_basis ltac:(cbv beta zeta delta [blend6
+  exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); quintic_parts quintic_basis ltac:(cbv beta zeta delta [blend6
       hermite5 p5 q5 quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___
       quintic_criterion____ quintic_criterion_____ quintic_criterion______]); met_joins.
 Qed.
@@ -2779,8 +2777,7 @@ Qed.
 Theorem met.
 Proof.
   stage quintic; stage quintic_; stage quintic_data; stage quintic_basis; cbv beta zeta delta [instance];
-  exists 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-  0, 0, 0, 0, 0, 0, 0, 0; quintic_parts quintic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u p0 pm pu q5 p5
+  exists 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; quintic_parts quintic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u p0 pm pu q5 p5
       quintic_gap quintic_part quintic_criterion quintic_criterion__ quintic_criterion___
       quintic_criterion____ quintic_criterion_____ quintic_criterion______ blend6 hermite5]); met_joins.
 Qed.
