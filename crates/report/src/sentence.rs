@@ -11,7 +11,6 @@ use torse_syntax::notation::{Formula, text};
 use torse_syntax::taxonomy::Verdict;
 use torse_typography::expression;
 use torse_verdicts::correction::Correction;
-use torse_verdicts::finding::Finding;
 use torse_verdicts::judged::ConditionCheck;
 use torse_verdicts::outcome::{Outcome, PaperFault};
 use torse_verdicts::statement::RefutedStatement;
@@ -95,19 +94,12 @@ pub(crate) fn fault_in_short(says: &str) -> String {
 }
 
 /// Whether the statement failed at every point that was tried at which one of the conditions does. Only then does the
-/// sentence say that the statement is true only if they hold. Where a number is asked for, what fails there is the number that
-/// was given, and another one may do.
+/// sentence say that the statement is true only if they hold. Where a number is asked for, the net says so of none: what
+/// fails there is the number that was given, and another one may do.
 fn needs_all(outcome: &Outcome) -> bool {
-    let readings = outcome.readings().iter().map(|reading| &reading.outcome);
-    let mut all = std::iter::once(outcome).chain(readings);
-    let gives_numbers = all.any(|outcome| match &outcome.finding {
-        Finding::Proved(proved) => !proved.statement.witnesses.is_empty(),
-        _ => false,
-    });
-    !gives_numbers
-        && outcome.net().is_some_and(|net| {
-            !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_necessary)
-        })
+    outcome.net().is_some_and(|net| {
+        !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_necessary)
+    })
 }
 
 /// The text up to its first full stop that ends a sentence: a blank and a capital letter follow, and no abbreviation goes before.

@@ -67,12 +67,12 @@ pub(crate) fn decided(
                 ..proved
             };
             let finding = net::proved(proved, &elaborated);
-            match (finding, found.is_some()) {
-                (Finding::Proved(judged), true) => Finding::Proved(Box::new(Judged {
+            match finding {
+                Finding::Proved(judged) => Finding::Proved(Box::new(Judged {
                     net: judged.net.with_own_witness(),
                     ..*judged
                 })),
-                (finding, _) => finding,
+                finding => finding,
             }
         }
         Conclusion::Refuted(refuted) => {

@@ -1,7 +1,7 @@
 //! What is straight of a face whatever its degree: the lines of its surface, and its edges.
 
 use super::SAME;
-use crate::inspect::at_most;
+use crate::numbers::at_most;
 use torse_exchange::{CurveShape, Imported, SplineSurface, SurfaceShape};
 use torse_geometry::curve::Spline;
 use torse_geometry::prelude::GeometryError;

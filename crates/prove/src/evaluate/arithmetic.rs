@@ -4,7 +4,7 @@ use super::quantity::Quantity;
 use super::value::{Value, Vector};
 use super::{Environment, Evaluator, Outcome, shapes, symbolic_degree, wrong_type};
 use std::cell::RefCell;
-use torse_algebra::{Fraction, Rational};
+use torse_algebra::{Fraction, Polynomial, Rational};
 use torse_core::Term;
 use torse_syntax::fault::{Fault, Problem};
 use torse_syntax::formula::{Operator, Place};
@@ -125,15 +125,17 @@ impl Evaluator<'_> {
                 format!("the power {n} is larger than {MAX_POWER}"),
             ));
         }
+        // A power has a value where its base has one, that with the exponent zero, too.
+        let one = Fraction::integer(1).under(&quantity.conditions());
         let Some(base) = quantity.as_fraction() else {
             // A power of a series is a product of few.
             let factors = u32::try_from(n).map_err(|_| symbolic_degree(a.place))?;
-            let one = Quantity::from(Fraction::integer(1));
-            let power =
-                (0..factors).try_fold(one, |power, _| multiplied(&power, quantity, a.place));
+            let power = (0..factors).try_fold(Quantity::from(one), |power, _| {
+                multiplied(&power, quantity, a.place)
+            });
             return power.map(Value::Scalar);
         };
-        let mut result = Fraction::integer(1);
+        let mut result = one;
         for _ in 0..n.unsigned_abs() {
             result = bounded_product(&result, base, a.place)?;
         }
@@ -163,12 +165,17 @@ pub(super) fn fitted(left: &Value, right: &Value, place: Place) -> Outcome<(Valu
         Value::Scalar(q) => q.as_fraction().is_some_and(Fraction::is_zero),
         _ => false,
     };
-    let zeros =
-        |like: &Value| like.mapped(&|_: &Quantity| Ok::<Quantity, Fault>(Fraction::zero().into()));
+    // They have a value where the zero has one.
+    let zeros = |zero: &Value, like: &Value| {
+        let quantities = zero.entries().into_iter();
+        let conditions: Vec<Polynomial> = quantities.flat_map(|q| q.conditions()).collect();
+        let entry: Quantity = Fraction::zero().under(&conditions).into();
+        like.mapped(&|_: &Quantity| Ok::<Quantity, Fault>(entry.clone()))
+    };
     match (left, right) {
         (Value::Scalar(_), Value::Scalar(_)) => {}
-        (a, b) if is_zero(a) => return Ok((zeros(b)?, b.clone())),
-        (a, b) if is_zero(b) => return Ok((a.clone(), zeros(a)?)),
+        (a, b) if is_zero(a) => return Ok((zeros(a, b)?, b.clone())),
+        (a, b) if is_zero(b) => return Ok((a.clone(), zeros(b, a)?)),
         (Value::Vector(a), Value::Vector(b))
             if a.generic == b.generic && a.entries.len() == b.entries.len() => {}
         (Value::Vector(a), Value::Vector(b)) => {

@@ -50,11 +50,12 @@ impl Quantity {
         }
     }
 
-    /// The product with a fraction.
+    /// The product with a fraction. A product with zero has a value where this has one.
     #[must_use]
     pub fn times(&self, factor: &Fraction) -> Self {
         if factor.is_zero() {
-            return Fraction::zero().under(factor.conditions()).into();
+            let zero = Fraction::zero().under(factor.conditions());
+            return zero.under(&self.conditions()).into();
         }
         let series = self
             .series
@@ -113,11 +114,11 @@ impl Quantity {
         self.plus(&other.negated())
     }
 
-    /// The derivative by the variable or parameter `name`.
+    /// The derivative by the variable or parameter `name`, where this has a value.
     #[must_use]
     pub fn derivative(&self, name: &str) -> Self {
         Self {
-            plain: self.plain.derivative(name),
+            plain: self.plain.derivative(name).under(&self.conditions()),
             series: self
                 .series
                 .iter()

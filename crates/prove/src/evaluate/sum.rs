@@ -105,7 +105,7 @@ impl Evaluator<'_> {
     ) -> Result<Quantity, Fault> {
         let refused = || Fault::limit(place, "this sum of symbolic length has no closed form here");
         let mut result = match term.plain.is_zero() {
-            true => Fraction::zero().into(),
+            true => term.plain.clone().into(),
             false => {
                 let each = self.each(&term.plain, index, low, high);
                 each.ok_or_else(refused)?

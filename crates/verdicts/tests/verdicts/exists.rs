@@ -401,3 +401,20 @@ fn the_symbol_of_the_number_is_another_one_inside_of_derivatives() {
     assert_eq!(outcome("['r == x']", "D(r*x, x) == r").verdict(), Holds);
     assert_eq!(outcome("['r == x']", "D(r^2, r) == 2*x").verdict(), Holds);
 }
+
+#[test]
+fn of_a_number_that_the_file_gives_nothing_says_that_a_condition_is_needed() {
+    for (exists, states) in [
+        ("['r == a^2/a']", "r*a == a^2"),
+        ("['r == a']", "r/r == 1"),
+        ("['r == b/a']", "r*a^2 == a*b"),
+    ] {
+        let found = outcome(exists, states);
+        assert_eq!(found.verdict(), Conditional, "{exists} {states}");
+        let net = found.net().unwrap();
+        // Another number may do where this one has no value: r = a, 1, 0.
+        let is_needed = |own: &torse_verdicts::judged::ConditionCheck| own.seen_necessary();
+        assert!(!net.conditions.iter().any(is_needed), "{exists} {states}");
+        assert!(net.why.as_ref().unwrap().contains("another witness may do"));
+    }
+}

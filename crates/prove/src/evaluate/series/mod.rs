@@ -233,6 +233,9 @@ impl Series {
         let (mut plain, mut left, mut pending) = (Fraction::zero(), vec![], vec![self]);
         while let Some(series) = pending.pop() {
             if series.is_trivial() {
+                let conditions = series.parts().flat_map(Fraction::conditions);
+                let conditions: Vec<Polynomial> = conditions.cloned().collect();
+                plain = plain.under(&conditions);
                 continue;
             }
             if series.axes.is_empty() {

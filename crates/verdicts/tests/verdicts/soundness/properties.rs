@@ -341,6 +341,38 @@ step = ['1 - x^2/x', 'x^2/x']
 }
 
 #[test]
+fn what_is_zero_or_a_power_with_the_exponent_zero_has_a_value_where_its_parts_have_one() {
+    let declarations = r#"
+[symbols]
+c = { in = "(-inf, inf)" }
+y = { in = "(-inf, inf)" }
+x = { in = "[0, 1]" }
+m = { integer = ">= 0" }
+n = { integer = ">= 1" }
+P = { family = "any", indices = ["0..m"] }
+
+[basis.St]
+variable = "x"
+degree = 0
+seeds = ['1']
+step = ['(1 - x)/c', 'x/c']
+"#;
+    let states = [
+        "0*sum(i, 0, m, St[i,m](x)) == 0",
+        "sum(i, 0, m, 0*St[i,m](x)) == 0",
+        "sum(i, 0, m, St[i,m](x)*(P[i] - P[i])) == 0",
+        "sum(i, 0, m + 1, 0*St[i,m+1](x)) == 0",
+        "D(sum(i, 0, m, St[i,m](x)), y) == 0",
+        "D(0*St[0,m](x), x) == 0",
+        "sum(i, 0, m, 0*St[i,m](x))^0 == 1",
+        "St[0,n](x)^0 == 1",
+        "sum(i, 0, m, St[i,m](x)*sum(j, 0, m, 0*P[j])) == 0",
+        "0*(1/c)^n == 0",
+    ];
+    assert_eq!(verdicts(declarations, &states), [Conditional; 10]);
+}
+
+#[test]
 fn functions_with_a_sum_below_zero_diminish_no_variation() {
     let declarations = r#"
 [symbols]
