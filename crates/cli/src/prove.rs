@@ -293,7 +293,7 @@ impl Prove {
             text.push_str(&format!("{section}: {summary}"));
             exit = exit.max(found);
         }
-        if open.iter().any(|theorem| is_printed(&theorem)) {
+        if open.iter().any(is_printed) {
             let (summary, found) = self.check_printed(coqc, folder, scratch.path())?;
             text.push_str(&summary);
             exit = exit.max(found);

@@ -303,6 +303,19 @@ fn stand_in(answer: &str) -> tempfile::TempDir {
     bin
 }
 
+/// A coqtop that accepts all that it reads.
+#[cfg(unix)]
+const SAYS_ALL: &str = r"sed -n 's/^Check \(.*\)\.$/\1\n     : nat/p'";
+
+/// Puts a program called coqtop beside coqc, with this script.
+#[cfg(unix)]
+fn stand_in_top(bin: &tempfile::TempDir, script: &str) {
+    use std::os::unix::fs::PermissionsExt;
+    let program = bin.path().join("coqtop");
+    fs::write(&program, format!("#!/bin/sh\n{script}\n")).unwrap();
+    fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).unwrap();
+}
+
 #[cfg(unix)]
 #[test]
 fn a_proof_that_the_kernel_rejects_contradicts_the_verdict() {
@@ -324,12 +337,13 @@ fn a_proof_that_the_kernel_rejects_contradicts_the_verdict() {
 
 #[cfg(unix)]
 #[test]
-fn a_check_of_what_changed_asks_for_changed_sections_and_keeps_the_other_answers() {
+fn a_check_of_what_changed_asks_for_changed_theorems_and_keeps_the_other_answers() {
     let one = claim("a", "(x + 1)^2 == x^2 + 2*x + 1", "");
     let other = |states| claim("b", states, "").replace("Sect. 1", "Sect. 2");
     let out = tempfile::tempdir().unwrap();
     let folder = out.path().to_str().unwrap();
     let bin = stand_in(ACCEPTS);
+    stand_in_top(&bin, SAYS_ALL);
     let path = with(&bin);
     let checked = |claims: &str, options: &[&str]| {
         let (code, said, err) = prove(&mini(claims), folder, Some(&path), options);
@@ -345,7 +359,11 @@ fn a_check_of_what_changed_asks_for_changed_sections_and_keeps_the_other_answers
     assert!(said.contains("all was accepted as it stands"), "{said}");
     assert_eq!(kept, first);
     let (said, kept) = checked(&changed, &["--check", "--changed"]);
-    assert!(said.contains("1 accepted"), "{said}");
+    assert!(said.contains("Section_2: Coq 8.16.1: 1 accepted"), "{said}");
+    assert!(
+        said.contains("1 accepted as printed, 0 rejected, 0 not reached"),
+        "{said}"
+    );
     let (_, whole) = checked(&changed, &["--check"]);
     assert_eq!(kept, whole);
     assert_ne!(kept, first);
@@ -354,7 +372,6 @@ fn a_check_of_what_changed_asks_for_changed_sections_and_keeps_the_other_answers
 #[cfg(unix)]
 #[test]
 fn what_is_printed_is_asked_about_beside_what_was_accepted() {
-    use std::os::unix::fs::PermissionsExt;
     let (derivations, out) = (square(), tempfile::tempdir().unwrap());
     let folder = out.path().to_str().unwrap();
     let bin = stand_in(ACCEPTS);
@@ -370,13 +387,11 @@ fn what_is_printed_is_asked_about_beside_what_was_accepted() {
     assert_eq!(theorems.len(), 1);
     let kept = serde_json::to_string_pretty(&kept).unwrap();
     let coqtop = |script: &str| {
-        let program = bin.path().join("coqtop");
-        fs::write(&program, format!("#!/bin/sh\n{script}\n")).unwrap();
-        fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).unwrap();
+        stand_in_top(&bin, script);
         fs::write(&file, &kept).unwrap();
         prove(&derivations, folder, Some(&path), &["--check", "--changed"])
     };
-    let (code, said, err) = coqtop(r"sed -n 's/^Check \(.*\)\.$/\1\n     : nat/p'");
+    let (code, said, err) = coqtop(SAYS_ALL);
     assert_eq!(code, Some(0), "{said}{err}");
     assert!(said.contains("1 accepted as printed, 0 rejected"), "{said}");
     assert_eq!(fs::read_to_string(&file).unwrap(), first);

@@ -146,8 +146,7 @@ fn raised(shares: [Rational; 4], added: impl Fn(usize, usize, usize) -> Rational
     let point = |i: usize, j: usize| {
         let [x, z] = bend[i].map(integer);
         let y = integer(75) * shares[j].clone();
-        let all = [x + added(i, j, 0), y + added(i, j, 1), z + added(i, j, 2)];
-        all
+        [x + added(i, j, 0), y + added(i, j, 1), z + added(i, j, 2)]
     };
     let row = |i: usize| (0..4).map(|j| point(i, j)).collect::<Vec<_>>();
     let ends = [vec![integer(0); 4], vec![integer(1); 4]].concat();
