@@ -2,41 +2,6 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module def_2_dim_one_letter.
-(* gbt-developable/def-2.dim.one letter, Sect. 2.2, Definition 2
-   printed: For any defined control points R_i ∈ R^k (k = 2, 3; i = 0, 1, ..., k)
-   read as: The dimension of the space is the degree of the curve, 2 or 3.
-   stated: k <= 3 *)
-Definition statement : Prop :=
-forall (k : Z),
-  (2 <= k)%Z ->
-  IZR k <= 3.
-End def_2_dim_one_letter.
-
-Module def_2_dim_two_letters.
-(* gbt-developable/def-2.dim.two letters, Sect. 2.2, Definition 2
-   printed: For any defined control points R_i ∈ R^k (k = 2, 3; i = 0, 1, ..., k)
-   read as: The k of R^k is the dimension, 2 or 3, and the k of i = 0, ..., k the degree: (2.2) is meant coordinate by coordinate.
-   stated: HT(x)[1] == sum(i, 0, k, g[i,k](x)*T[i][1]) and HT(x)[2] == sum(i, 0, k, g[i,k](x)*T[i][2]) and HT(x)[3] == sum(i, 0, k, g[i,k](x)*T[i][3]) *)
-Definition HT (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
-  vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
-Definition statement : Prop :=
-forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
-  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
-  (2 <= k)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  0 <= x <= 1 ->
-  entry (HT T k mu nu x) 1 = sum 0%Z k (fun i => g x mu nu i k * entry (T i) 1) /\ entry (HT T k mu nu x) 2 = sum 0%Z k (fun i => g x mu nu i k * entry (T i) 2) /\ entry (HT T k mu nu x) 3 = sum 0%Z k (fun i => g x mu nu i k * entry (T i) 3).
-Definition instance : Prop :=
-exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
-  let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
-  (2 <= k)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  0 <= x <= 1.
-End def_2_dim_two_letters.
-
 Module Definitions.
 Definition g (x : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)); 1 - (1 - sin (PI / 2 * x)) * (1 - mu * sin (PI / 2 * x)) - (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) * (1 - nu * cos (PI / 2 * x))] i k.

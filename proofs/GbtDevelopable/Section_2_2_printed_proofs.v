@@ -3,20 +3,6 @@ From Torse Require Import Defs Follows.
 From GbtDevelopable Require Section_2_2_printed Section_2_2_proofs.
 Open Scope R_scope.
 
-Module def_2_dim_one_letter.
-Import GbtDevelopable.Section_2_2_printed.def_2_dim_one_letter.
-Theorem refuted : ~ statement.
-Proof. follows GbtDevelopable.Section_2_2_proofs.def_2_dim_one_letter.refuted. Qed.
-End def_2_dim_one_letter.
-
-Module def_2_dim_two_letters.
-Import GbtDevelopable.Section_2_2_printed.def_2_dim_two_letters.
-Theorem proved : statement.
-Proof. follows GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.proved. Qed.
-Theorem met : instance.
-Proof. follows GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.met. Qed.
-End def_2_dim_two_letters.
-
 Module def_2_dim.
 Import GbtDevelopable.Section_2_2_printed.def_2_dim.
 Theorem refuted : ~ statement.

@@ -4,20 +4,6 @@ From GbtDevelopable Require Section_2_2.
 Import GbtDevelopable.Section_2_2.Definitions.
 Open Scope R_scope.
 
-Module def_2_dim_one_letter.
-Import GbtDevelopable.Section_2_2.def_2_dim_one_letter.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no ((4))%Z). Qed.
-End def_2_dim_one_letter.
-
-Module def_2_dim_two_letters.
-Import GbtDevelopable.Section_2_2.def_2_dim_two_letters.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement g HT]; symbolic. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance g HT]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), (fun _ => 6), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 7 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 7), (fun _ => 9), (fun _ => 7), (fun _ => 7), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 0), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
-End def_2_dim_two_letters.
-
 Module def_2_dim.
 Import GbtDevelopable.Section_2_2.def_2_dim.
 Theorem refuted : ~ statement.

@@ -169,9 +169,6 @@ Check (GbtDevelopable.Section_2_1_proofs.thm_1_6_c.proved : GbtDevelopable.Secti
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_6_c.met : GbtDevelopable.Section_2_1.thm_1_6_c.instance).
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_6_d.proved : GbtDevelopable.Section_2_1.thm_1_6_d.statement).
 Check (GbtDevelopable.Section_2_1_proofs.thm_1_6_d.met : GbtDevelopable.Section_2_1.thm_1_6_d.instance).
-Check (GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_one_letter.refuted : ~ GbtDevelopable.Section_2_2_printed.def_2_dim_one_letter.statement).
-Check (GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.proved : GbtDevelopable.Section_2_2_printed.def_2_dim_two_letters.statement).
-Check (GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.met : GbtDevelopable.Section_2_2_printed.def_2_dim_two_letters.instance).
 Check (GbtDevelopable.Section_2_2_printed_proofs.def_2_dim.refuted : ~ GbtDevelopable.Section_2_2_printed.def_2_dim.statement).
 Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_endpoints.proved : GbtDevelopable.Section_2_2_printed.sec_2_2_endpoints.statement).
 Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_endpoints.met : GbtDevelopable.Section_2_2_printed.sec_2_2_endpoints.instance).
@@ -187,9 +184,6 @@ Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_vd_operator.proved : Gb
 Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_vd_operator.met : GbtDevelopable.Section_2_2_printed.sec_2_2_vd_operator.instance).
 Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_geominv.proved : GbtDevelopable.Section_2_2_printed.sec_2_2_geominv.statement).
 Check (GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_geominv.met : GbtDevelopable.Section_2_2_printed.sec_2_2_geominv.instance).
-Check (GbtDevelopable.Section_2_2_proofs.def_2_dim_one_letter.refuted : ~ GbtDevelopable.Section_2_2.def_2_dim_one_letter.statement).
-Check (GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.proved : GbtDevelopable.Section_2_2.def_2_dim_two_letters.statement).
-Check (GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.met : GbtDevelopable.Section_2_2.def_2_dim_two_letters.instance).
 Check (GbtDevelopable.Section_2_2_proofs.def_2_dim.refuted : ~ GbtDevelopable.Section_2_2.def_2_dim.statement).
 Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_endpoints.proved : GbtDevelopable.Section_2_2.sec_2_2_endpoints.statement).
 Check (GbtDevelopable.Section_2_2_proofs.sec_2_2_endpoints.met : GbtDevelopable.Section_2_2.sec_2_2_endpoints.instance).
@@ -1126,9 +1120,6 @@ let _ := GbtDevelopable.Section_2_1_proofs.thm_1_6_c.proved in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_6_c.met in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_6_d.proved in
 let _ := GbtDevelopable.Section_2_1_proofs.thm_1_6_d.met in
-let _ := GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_one_letter.refuted in
-let _ := GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.proved in
-let _ := GbtDevelopable.Section_2_2_printed_proofs.def_2_dim_two_letters.met in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.def_2_dim.refuted in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_endpoints.proved in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_endpoints.met in
@@ -1144,9 +1135,6 @@ let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_vd_operator.proved in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_vd_operator.met in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_geominv.proved in
 let _ := GbtDevelopable.Section_2_2_printed_proofs.sec_2_2_geominv.met in
-let _ := GbtDevelopable.Section_2_2_proofs.def_2_dim_one_letter.refuted in
-let _ := GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.proved in
-let _ := GbtDevelopable.Section_2_2_proofs.def_2_dim_two_letters.met in
 let _ := GbtDevelopable.Section_2_2_proofs.def_2_dim.refuted in
 let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_endpoints.proved in
 let _ := GbtDevelopable.Section_2_2_proofs.sec_2_2_endpoints.met in

@@ -2,39 +2,6 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module def_2_points_one_letter.
-(* gbt-surfaces/def-2.points.one letter, Sect. 2.2, Definition 2, first line
-   printed: For any control points Q_k ∈ R^m, m = 2, 3; k = 0, 1, ..., m
-   read as: The dimension of the space is the degree of the curve, 2 or 3.
-   stated: m <= 3 *)
-Definition statement : Prop :=
-forall (m : Z),
-  (2 <= m)%Z ->
-  IZR m <= 3.
-End def_2_points_one_letter.
-
-Module def_2_points_two_letters.
-(* gbt-surfaces/def-2.points.two letters, Sect. 2.2, Definition 2, first line
-   printed: For any control points Q_k ∈ R^m, m = 2, 3; k = 0, 1, ..., m
-   read as: The m of R^m is the dimension, 2 or 3, and the m of k = 0, ..., m the degree: (3) is meant coordinate by coordinate.
-   stated: sum(k, 0, m, f[k,m](z)*P[k]) == [sum(k, 0, m, f[k,m](z)*P[k][1]), sum(k, 0, m, f[k,m](z)*P[k][2]), sum(k, 0, m, f[k,m](z)*P[k][3])] *)
-Definition statement : Prop :=
-forall (m : Z) (P'1 P'2 P'3 : Z -> R) (mu : R) (nu : R) (z : R),
-  let P := fun i0 => [P'1 i0; P'2 i0; P'3 i0] in
-  (2 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  0 <= z <= 1 ->
-  vsum 3 0%Z m (fun k => vscale (f z mu nu k m) (P k)) = [sum 0%Z m (fun k => f z mu nu k m * entry (P k) 1); sum 0%Z m (fun k => f z mu nu k m * entry (P k) 2); sum 0%Z m (fun k => f z mu nu k m * entry (P k) 3)].
-Definition instance : Prop :=
-exists (m : Z) (P'1 P'2 P'3 : Z -> R) (mu : R) (nu : R) (z : R),
-  let P := fun i0 => [P'1 i0; P'2 i0; P'3 i0] in
-  (2 <= m)%Z /\
-  (-1) <= mu <= 1 /\
-  (-1) <= nu <= 1 /\
-  0 <= z <= 1.
-End def_2_points_two_letters.
-
 Module Definitions.
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.

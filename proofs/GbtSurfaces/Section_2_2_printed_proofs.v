@@ -3,20 +3,6 @@ From Torse Require Import Defs Follows.
 From GbtSurfaces Require Section_2_2_printed Section_2_2_proofs.
 Open Scope R_scope.
 
-Module def_2_points_one_letter.
-Import GbtSurfaces.Section_2_2_printed.def_2_points_one_letter.
-Theorem refuted : ~ statement.
-Proof. follows GbtSurfaces.Section_2_2_proofs.def_2_points_one_letter.refuted. Qed.
-End def_2_points_one_letter.
-
-Module def_2_points_two_letters.
-Import GbtSurfaces.Section_2_2_printed.def_2_points_two_letters.
-Theorem proved : statement.
-Proof. follows GbtSurfaces.Section_2_2_proofs.def_2_points_two_letters.proved. Qed.
-Theorem met : instance.
-Proof. follows GbtSurfaces.Section_2_2_proofs.def_2_points_two_letters.met. Qed.
-End def_2_points_two_letters.
-
 Module def_2_points.
 Import GbtSurfaces.Section_2_2_printed.def_2_points.
 Theorem refuted : ~ statement.

@@ -4,20 +4,6 @@ From GbtSurfaces Require Section_2_2.
 Import GbtSurfaces.Section_2_2.Definitions.
 Open Scope R_scope.
 
-Module def_2_points_one_letter.
-Import GbtSurfaces.Section_2_2.def_2_points_one_letter.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement] in no; refuting (no ((4))%Z). Qed.
-End def_2_points_one_letter.
-
-Module def_2_points_two_letters.
-Import GbtSurfaces.Section_2_2.def_2_points_two_letters.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement f]; symbolic. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance f]; first [(exists (2)%Z, (fun _ => 3), (fun _ => 4), (fun _ => 5), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 0), (fun _ => 0), (fun _ => 0), (0), (0), (1 / 2); met) | (exists (2)%Z, (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 6 * i0 + 8)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 6)%Z), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 8), (fun _ => 8), (fun _ => 6), ((-1) / 3), ((-1) / 3), (1 / 3); met) | (exists (2)%Z, (fun _ => 1), (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), (1 / 3); met)]. Qed.
-End def_2_points_two_letters.
-
 Module def_2_points.
 Import GbtSurfaces.Section_2_2.def_2_points.
 Theorem refuted : ~ statement.

@@ -2,44 +2,6 @@
 From Torse Require Import Defs.
 Open Scope R_scope.
 
-Module eq_19_literal.
-(* gbt-surfaces/eq-19.literal, Sect. 3.3, Example 3.3, eq. (19)
-   printed: T_ruled(z,z_1,μ_0,ν_0,μ_1,ν_1) = sum_{l=0}^{1} ( f_{l,1}(z_1) sum_{k=0}^{4} f^l_{k,m}(z) Q_{l,k} ), 0 ≤ z, z_1 ≤ 1
-   read as: The order m of the functions is any, as in (17) and (18); the guide lines are the curves of degree 4 all the same.
-   stated: sum(k, 0, 4, f[k,m](z, mu, nu)*A[k]) == sum(k, 0, 4, f[k,4](z, mu, nu)*A[k]) *)
-Definition statement : Prop :=
-forall (m : Z) (A : Z -> R) (mu : R) (nu : R) (z : R),
-  (2 <= m)%Z ->
-  (-1) <= mu <= 1 ->
-  (-1) <= nu <= 1 ->
-  0 <= z <= 1 ->
-  sum 0%Z 4%Z (fun k => f z mu nu k m * A k) = sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k).
-End eq_19_literal.
-
-Module eq_19_m_is_4.
-(* gbt-surfaces/eq-19.m is 4, Sect. 3.3, Example 3.3, eq. (19)
-   printed: T_ruled(z,z_1,μ_0,ν_0,μ_1,ν_1) = sum_{l=0}^{1} ( f_{l,1}(z_1) sum_{k=0}^{4} f^l_{k,m}(z) Q_{l,k} ), 0 ≤ z, z_1 ≤ 1
-   read as: The order m of the functions is 4, the degree of the curves; the shape parameters of the first guide line are mu and nu here.
-   stated: own4(z, 0) == sum(k, 0, 4, f[k,4](z, mu, nu)*A[k]) and own4(z, 1) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*B[k]) and D(own4(z, z1), z1, 2) == 0 *)
-Definition statement : Prop :=
-forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
-  (-1) <= mu <= 1 ->
-  (-1) <= mu1 <= 1 ->
-  (-1) <= nu <= 1 ->
-  (-1) <= nu1 <= 1 ->
-  0 <= z <= 1 ->
-  0 <= z1 <= 1 ->
-  own4 A B mu mu1 nu nu1 z 0 = sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) /\ own4 A B mu mu1 nu nu1 z 1 = sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k) /\ Derive_n (fun z1 => own4 A B mu mu1 nu nu1 z z1) 2 z1 = 0.
-Definition instance : Prop :=
-exists (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
-  (-1) <= mu <= 1 /\
-  (-1) <= mu1 <= 1 /\
-  (-1) <= nu <= 1 /\
-  (-1) <= nu1 <= 1 /\
-  0 <= z <= 1 /\
-  0 <= z1 <= 1.
-End eq_19_m_is_4.
-
 Module Definitions.
 Definition f (z : R) (mu : R) (nu : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [(1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)); 1 - (1 - sin (PI / 2 * z)) * (1 - mu * sin (PI / 2 * z)) - (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z)); (1 - cos (PI / 2 * z)) * (1 - nu * cos (PI / 2 * z))] i k.

@@ -3,20 +3,6 @@ From Torse Require Import Defs Follows.
 From GbtSurfaces Require Section_3_3_printed Section_3_3_proofs.
 Open Scope R_scope.
 
-Module eq_19_literal.
-Import GbtSurfaces.Section_3_3_printed.eq_19_literal.
-Theorem refuted : ~ statement.
-Proof. follows GbtSurfaces.Section_3_3_proofs.eq_19_literal.refuted. Qed.
-End eq_19_literal.
-
-Module eq_19_m_is_4.
-Import GbtSurfaces.Section_3_3_printed.eq_19_m_is_4.
-Theorem proved : statement.
-Proof. follows GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.proved. Qed.
-Theorem met : instance.
-Proof. follows GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.met. Qed.
-End eq_19_m_is_4.
-
 Module sec_3_3_generatrix.
 Import GbtSurfaces.Section_3_3_printed.sec_3_3_generatrix.
 Theorem proved : statement.

@@ -4,20 +4,6 @@ From GbtSurfaces Require Section_3_3.
 Import GbtSurfaces.Section_3_3.Definitions.
 Open Scope R_scope.
 
-Module eq_19_literal.
-Import GbtSurfaces.Section_3_3.eq_19_literal.
-Theorem refuted : ~ statement.
-Proof. intro no; cbv beta zeta delta [statement f] in no; refuting (no ((2))%Z (fun i0 => if (Z.eqb i0 (0))%bool then (0) else if (Z.eqb i0 (1))%bool then (0) else if (Z.eqb i0 (2))%bool then (0) else if (Z.eqb i0 (3))%bool then (0) else if (Z.eqb i0 (4))%bool then (1) else 0) (1) (1) (1/2)). Qed.
-End eq_19_literal.
-
-Module eq_19_m_is_4.
-Import GbtSurfaces.Section_3_3.eq_19_m_is_4.
-Theorem proved : statement.
-Proof. cbv beta zeta delta [statement b f own4 own4_]; identity. Qed.
-Theorem met : instance.
-Proof. cbv beta zeta delta [instance b f own4 own4_]; first [(exists (fun _ => 2), (fun _ => 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), (0), (0), (0), (0), (1 / 2), (1 / 2); met) | (exists (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 13)%Z), (fun i0 => IZR (1 * i0 * i0 * i0 + 8 * i0 + 8)%Z), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (fun _ => 1), (fun _ => 1), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met) | (exists (fun _ => 0), (fun _ => 0), ((-1) / 3), ((-1) / 3), ((-1) / 3), ((-1) / 3), (1 / 3), (1 / 3); met)]. Qed.
-End eq_19_m_is_4.
-
 Module sec_3_3_generatrix.
 Import GbtSurfaces.Section_3_3.sec_3_3_generatrix.
 Theorem proved : statement.

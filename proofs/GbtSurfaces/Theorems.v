@@ -163,9 +163,6 @@ Check (GbtSurfaces.Section_2_1_proofs.thm_1_5_d3_0_values.proved : GbtSurfaces.S
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_5_d3_0_values.met : GbtSurfaces.Section_2_1.thm_1_5_d3_0_values.instance).
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_5_d3_1_values.proved : GbtSurfaces.Section_2_1.thm_1_5_d3_1_values.statement).
 Check (GbtSurfaces.Section_2_1_proofs.thm_1_5_d3_1_values.met : GbtSurfaces.Section_2_1.thm_1_5_d3_1_values.instance).
-Check (GbtSurfaces.Section_2_2_printed_proofs.def_2_points_one_letter.refuted : ~ GbtSurfaces.Section_2_2_printed.def_2_points_one_letter.statement).
-Check (GbtSurfaces.Section_2_2_printed_proofs.def_2_points_two_letters.proved : GbtSurfaces.Section_2_2_printed.def_2_points_two_letters.statement).
-Check (GbtSurfaces.Section_2_2_printed_proofs.def_2_points_two_letters.met : GbtSurfaces.Section_2_2_printed.def_2_points_two_letters.instance).
 Check (GbtSurfaces.Section_2_2_printed_proofs.def_2_points.refuted : ~ GbtSurfaces.Section_2_2_printed.def_2_points.statement).
 Check (GbtSurfaces.Section_2_2_printed_proofs.eq_3.proved : GbtSurfaces.Section_2_2_printed.eq_3.statement).
 Check (GbtSurfaces.Section_2_2_printed_proofs.eq_3.met : GbtSurfaces.Section_2_2_printed.eq_3.instance).
@@ -272,9 +269,6 @@ Check (GbtSurfaces.Section_2_2_printed_proofs.thm_2_b4_true.proved : GbtSurfaces
 Check (GbtSurfaces.Section_2_2_printed_proofs.thm_2_b4_true.met : GbtSurfaces.Section_2_2_printed.thm_2_b4_true.instance).
 Check (GbtSurfaces.Section_2_2_printed_proofs.thm_2_c1.proved : GbtSurfaces.Section_2_2_printed.thm_2_c1.statement).
 Check (GbtSurfaces.Section_2_2_printed_proofs.thm_2_c1.met : GbtSurfaces.Section_2_2_printed.thm_2_c1.instance).
-Check (GbtSurfaces.Section_2_2_proofs.def_2_points_one_letter.refuted : ~ GbtSurfaces.Section_2_2.def_2_points_one_letter.statement).
-Check (GbtSurfaces.Section_2_2_proofs.def_2_points_two_letters.proved : GbtSurfaces.Section_2_2.def_2_points_two_letters.statement).
-Check (GbtSurfaces.Section_2_2_proofs.def_2_points_two_letters.met : GbtSurfaces.Section_2_2.def_2_points_two_letters.instance).
 Check (GbtSurfaces.Section_2_2_proofs.def_2_points.refuted : ~ GbtSurfaces.Section_2_2.def_2_points.statement).
 Check (GbtSurfaces.Section_2_2_proofs.eq_3.proved : GbtSurfaces.Section_2_2.eq_3.statement).
 Check (GbtSurfaces.Section_2_2_proofs.eq_3.met : GbtSurfaces.Section_2_2.eq_3.instance).
@@ -619,9 +613,6 @@ Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_sixteen.proved : GbtSurfaces.Sectio
 Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_coplanar.proved : GbtSurfaces.Section_3_2.ex_3_2_coplanar.statement).
 Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.proved : GbtSurfaces.Section_3_2.ex_3_2_noncoplanar_possible.statement).
 Check (GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.met : GbtSurfaces.Section_3_2.ex_3_2_noncoplanar_possible.instance).
-Check (GbtSurfaces.Section_3_3_printed_proofs.eq_19_literal.refuted : ~ GbtSurfaces.Section_3_3_printed.eq_19_literal.statement).
-Check (GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.proved : GbtSurfaces.Section_3_3_printed.eq_19_m_is_4.statement).
-Check (GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.met : GbtSurfaces.Section_3_3_printed.eq_19_m_is_4.instance).
 Check (GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_generatrix.proved : GbtSurfaces.Section_3_3_printed.sec_3_3_generatrix.statement).
 Check (GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_generatrix.met : GbtSurfaces.Section_3_3_printed.sec_3_3_generatrix.instance).
 Check (GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_same_degree_literal.refuted : ~ GbtSurfaces.Section_3_3_printed.sec_3_3_same_degree_literal.statement).
@@ -676,9 +667,6 @@ Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_1_corrected.proved : Gbt
 Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_1_corrected.met : GbtSurfaces.Section_3_3_printed.ex_3_3_gl_1_corrected.instance).
 Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_composite.proved : GbtSurfaces.Section_3_3_printed.ex_3_3_composite.statement).
 Check (GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_composite.met : GbtSurfaces.Section_3_3_printed.ex_3_3_composite.instance).
-Check (GbtSurfaces.Section_3_3_proofs.eq_19_literal.refuted : ~ GbtSurfaces.Section_3_3.eq_19_literal.statement).
-Check (GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.proved : GbtSurfaces.Section_3_3.eq_19_m_is_4.statement).
-Check (GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.met : GbtSurfaces.Section_3_3.eq_19_m_is_4.instance).
 Check (GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.proved : GbtSurfaces.Section_3_3.sec_3_3_generatrix.statement).
 Check (GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.met : GbtSurfaces.Section_3_3.sec_3_3_generatrix.instance).
 Check (GbtSurfaces.Section_3_3_proofs.sec_3_3_same_degree_literal.refuted : ~ GbtSurfaces.Section_3_3.sec_3_3_same_degree_literal.statement).
@@ -1226,9 +1214,6 @@ let _ := GbtSurfaces.Section_2_1_proofs.thm_1_5_d3_0_values.proved in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_5_d3_0_values.met in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_5_d3_1_values.proved in
 let _ := GbtSurfaces.Section_2_1_proofs.thm_1_5_d3_1_values.met in
-let _ := GbtSurfaces.Section_2_2_printed_proofs.def_2_points_one_letter.refuted in
-let _ := GbtSurfaces.Section_2_2_printed_proofs.def_2_points_two_letters.proved in
-let _ := GbtSurfaces.Section_2_2_printed_proofs.def_2_points_two_letters.met in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.def_2_points.refuted in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.eq_3.proved in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.eq_3.met in
@@ -1335,9 +1320,6 @@ let _ := GbtSurfaces.Section_2_2_printed_proofs.thm_2_b4_true.proved in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.thm_2_b4_true.met in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.thm_2_c1.proved in
 let _ := GbtSurfaces.Section_2_2_printed_proofs.thm_2_c1.met in
-let _ := GbtSurfaces.Section_2_2_proofs.def_2_points_one_letter.refuted in
-let _ := GbtSurfaces.Section_2_2_proofs.def_2_points_two_letters.proved in
-let _ := GbtSurfaces.Section_2_2_proofs.def_2_points_two_letters.met in
 let _ := GbtSurfaces.Section_2_2_proofs.def_2_points.refuted in
 let _ := GbtSurfaces.Section_2_2_proofs.eq_3.proved in
 let _ := GbtSurfaces.Section_2_2_proofs.eq_3.met in
@@ -1682,9 +1664,6 @@ let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_sixteen.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_coplanar.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.proved in
 let _ := GbtSurfaces.Section_3_2_proofs.ex_3_2_noncoplanar_possible.met in
-let _ := GbtSurfaces.Section_3_3_printed_proofs.eq_19_literal.refuted in
-let _ := GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.proved in
-let _ := GbtSurfaces.Section_3_3_printed_proofs.eq_19_m_is_4.met in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_generatrix.proved in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_generatrix.met in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.sec_3_3_same_degree_literal.refuted in
@@ -1739,9 +1718,6 @@ let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_1_corrected.proved in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_gl_1_corrected.met in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_composite.proved in
 let _ := GbtSurfaces.Section_3_3_printed_proofs.ex_3_3_composite.met in
-let _ := GbtSurfaces.Section_3_3_proofs.eq_19_literal.refuted in
-let _ := GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.proved in
-let _ := GbtSurfaces.Section_3_3_proofs.eq_19_m_is_4.met in
 let _ := GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.proved in
 let _ := GbtSurfaces.Section_3_3_proofs.sec_3_3_generatrix.met in
 let _ := GbtSurfaces.Section_3_3_proofs.sec_3_3_same_degree_literal.refuted in

@@ -415,6 +415,16 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 
   factorial 0%Z <> 0.
 End eq_3_5_C_r4.
 
+Module eq_3_5_sizes.
+(* hermite-developable/eq-3.5.sizes, Sect. 3.1, eq. (3.5), line below the matrices
+   printed: A_{4×4} × B_{4×1} = C_{4×1}
+   read as: The sizes of the printed matrices: A has four rows and four columns, B and C have four entries. A unit matrix multiplies a matrix of its own size alone.
+   stated: identity(4)*A35 == A35*identity(4) and identity(4)*A35*[b1, b2, b3, b4] == A35*[b1, b2, b3, b4] and A35*[b1, b2, b3, b4] == [blend4(A35[1], b1, b2, b3, b4), blend4(A35[2], b1, b2, b3, b4), blend4(A35[3], b1, b2, b3, b4), blend4(A35[4], b1, b2, b3, b4)] *)
+Definition statement : Prop :=
+forall (b1 : R) (b2 : R) (b3 : R) (b4 : R) (k : R),
+  mmul (identity 4) (A35 k) = mmul (A35 k) (identity 4) /\ mvec (mmul (identity 4) (A35 k)) [b1; b2; b3; b4] = mvec (A35 k) [b1; b2; b3; b4] /\ mvec (A35 k) [b1; b2; b3; b4] = [blend4 (row (A35 k) 1) b1 b2 b3 b4; blend4 (row (A35 k) 2) b1 b2 b3 b4; blend4 (row (A35 k) 3) b1 b2 b3 b4; blend4 (row (A35 k) 4) b1 b2 b3 b4].
+End eq_3_5_sizes.
+
 Module eq_3_5_unique.
 (* hermite-developable/eq-3.5.unique, Sect. 3.1, sentence after (3.5)
    printed: This equation system (3.5) has a unique solution if the determinant value of the coefficient matrix A is different from zero

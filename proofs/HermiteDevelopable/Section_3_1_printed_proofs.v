@@ -137,6 +137,12 @@ Theorem met : instance.
 Proof. follows HermiteDevelopable.Section_3_1_proofs.eq_3_5_C_r4.met. Qed.
 End eq_3_5_C_r4.
 
+Module eq_3_5_sizes.
+Import HermiteDevelopable.Section_3_1_printed.eq_3_5_sizes.
+Theorem proved : statement.
+Proof. follows HermiteDevelopable.Section_3_1_proofs.eq_3_5_sizes.proved. Qed.
+End eq_3_5_sizes.
+
 Module eq_3_5_unique.
 Import HermiteDevelopable.Section_3_1_printed.eq_3_5_unique.
 Theorem proved : statement.

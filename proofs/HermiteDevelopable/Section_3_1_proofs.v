@@ -139,6 +139,12 @@ Theorem met : instance.
 Proof. stage cubic; stage cubic_; stage cubic_data; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0; met_joins. Qed.
 End eq_3_5_C_r4.
 
+Module eq_3_5_sizes.
+Import HermiteDevelopable.Section_3_1.eq_3_5_sizes.
+Theorem proved : statement.
+Proof. cbv beta zeta delta [statement A35 blend4]; identity. Qed.
+End eq_3_5_sizes.
+
 Module eq_3_5_unique.
 Import HermiteDevelopable.Section_3_1.eq_3_5_unique.
 Theorem proved : statement.
@@ -158,7 +164,7 @@ Import HermiteDevelopable.Section_3_1.eq_3_5_k.
 Theorem proved : statement.
 Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____]; similar_cubics cubic_basis; images; any_points; compute_goal; conjuncts; parts; ring. Qed.
 Theorem met : instance.
-Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cubic_parts cubic_basis ltac:(cbv beta zeta delta [blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____]); met_joins. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2); cubic_parts cubic_basis ltac:(cbv beta zeta delta [blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____]); met_joins. Qed.
 End eq_3_5_k.
 
 Module eq_3_5_sol_p1.
@@ -198,7 +204,7 @@ Import HermiteDevelopable.Section_3_1.sec_3_1_conclusion.
 Theorem proved : statement.
 Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ x]; similar_cubics cubic_basis; split; [by_coefficients | split; [preimages; cbv beta iota zeta delta [slope slopes tl poly cubic_of entry nth Nat.pred]; field; nonzero | split; [preimages; cbv beta iota zeta delta [slope slopes tl poly cubic_of entry nth Nat.pred]; field; nonzero | parallel_tangents]]]. Qed.
 Theorem met : instance.
-Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ x]); met_joins. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), 0, 0, 0, 0, 0, 0, 0, 0; cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ x]); met_joins. Qed.
 End sec_3_1_conclusion.
 
 Module alg_3_1_step1.
@@ -222,7 +228,7 @@ Import HermiteDevelopable.Section_3_1.alg_3_1_step3.
 Theorem proved : statement.
 Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement p]; intros; assert (k <> 0) by lra; assert (E : X k o q0 q0u q1 q1u = [(q1 - (1 - k) * o) / k; q0u / k; q1u / k; (q0 - (1 - k) * o) / k]) by (unfold X, solve; cbv beta delta [A35]; match goal with |- context [inverse ?A] => inverse_known A (k ^ 4) [[2 / k; - 1 / k; 0; - 1 / k]; [- 6 / k; 2 / k; - 1 / k; 0]; [- 3 / k; 0; - 1 / k; 0]; [6 / k; - 2 / k; 1 / k; - 1 / k]] end; compute_goal; parts; field; assumption); rewrite E; clear E; cbv beta zeta delta [q3 hermite3 blend4]; with_cubic_numbers cubic_basis number_curves; cbv beta iota zeta delta [entry nth Nat.pred slope_n slope slopes tl poly cubic_of]; field; assumption. Qed.
 Theorem met : instance.
-Proof. cbv beta zeta delta [instance A35]; stage cubic; stage cubic_; stage cubic_data; exists 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0; met_joins; determinants; numeric. Qed.
+Proof. cbv beta zeta delta [instance A35]; stage cubic; stage cubic_; stage cubic_data; exists 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, (1 / 2); met_joins; determinants; numeric. Qed.
 End alg_3_1_step3.
 
 Module sec_3_1_tension.
@@ -236,9 +242,9 @@ End sec_3_1_tension.
 Module ex_3_1_arrange.
 Import HermiteDevelopable.Section_3_1.ex_3_1_arrange.
 Theorem proved : statement.
-Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement solved0 solved1 solved0_ solved1_ blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ cubic_criterion_]; intros A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u p1_of_o p0u_of_o p1u_of_o p0_of_o U K DD _ _ _ _ _ _ _ _ CR KN e1 e2 e3 e4 FN; assert (F : forall s, p0_of_o s = (q0 + (k - 1) * s) / k /\ p1_of_o s = (q1 + (k - 1) * s) / k) by (intro s; clear CR e1 e2 e3 e4; specialize (FN s); with_cubic_numbers cubic_basis joins_of_numbers; data_of_joins; split; (apply value_of; [assumption | lra])); clear FN; split; [rewrite <- e4; apply F |]; split; [rewrite <- e1; apply F |]; split; [parts; [apply (affine _ (fun s => (q0 + (k - 1) * s) / k)) | apply (affine _ (fun s => (q1 + (k - 1) * s) / k))]; first [intro; apply F | intro; field; assumption] |]; clear F e1 e2 e3 e4 p1_of_o p0u_of_o p1u_of_o p0_of_o; let away := (clear CR; let no := fresh in intro no; generalize (no 0 0 0 0 1 1 0 0 0 0 0 0 0 0 0); clear no; with_cubic_numbers cubic_basis joins_of_numbers; counted_joins; repeat lazymatch goal with |- (?A -> _) -> False => let K := fresh in assert (K : A) by first [premise | near]; let N := fresh in intro N; specialize (N K); clear K; revert N end; derivatives; let C := fresh in intro C; contradiction_in C) in split; [away |]; split; [away |]; with_cubic_numbers cubic_basis joins_of_numbers; data_of_joins; with_cubic_numbers cubic_basis values; images; field; assumption. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement solved0 solved1 solved0_ solved1_ blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ cubic_criterion_]; intros A B C_ E_ k o p0 p0u p1 p1u q0 q0u q1 q1u u p1_of_o p0u_of_o p1u_of_o p0_of_o U K DD _ _ _ _ _ _ _ _ CR KN e1 e2 e3 e4 FN; assert (F : forall s, p0_of_o s = (q0 + (k - 1) * s) / k /\ p1_of_o s = (q1 + (k - 1) * s) / k) by (intro s; clear CR e1 e2 e3 e4; specialize (FN s); with_cubic_numbers cubic_basis joins_of_numbers; data_of_joins; split; (apply value_of; [assumption | lra])); clear FN; split; [rewrite <- e4; apply F |]; split; [rewrite <- e1; apply F |]; split; [parts; [apply (affine _ (fun s => (q0 + (k - 1) * s) / k)) | apply (affine _ (fun s => (q1 + (k - 1) * s) / k))]; first [intro; apply F | intro; field; assumption] |]; clear F e1 e2 e3 e4 p1_of_o p0u_of_o p1u_of_o p0_of_o; let away := (clear CR; let no := fresh in intro no; generalize (no 0 0 0 0 1 1 0 0 0 0 0 0 0 0 (1 / 2)); clear no; with_cubic_numbers cubic_basis joins_of_numbers; counted_joins; repeat lazymatch goal with |- (?A -> _) -> False => let K := fresh in assert (K : A) by first [premise | near]; let N := fresh in intro N; specialize (N K); clear K; revert N end; derivatives; let C := fresh in intro C; contradiction_in C) in split; [away |]; split; [away |]; with_cubic_numbers cubic_basis joins_of_numbers; data_of_joins; with_cubic_numbers cubic_basis values; images; field; assumption. Qed.
 Theorem met : instance.
-Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0); with_cubic_numbers cubic_basis ltac:(fun curve => conjuncts; intros; conjuncts; cbv beta zeta delta [blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ cubic_criterion_]; joins_of_numbers curve; counted_joins); met_joins; first [lra | numeric]. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, (1 / 2), (fun _ => 0), (fun _ => 0), (fun _ => 0), (fun _ => 0); with_cubic_numbers cubic_basis ltac:(fun curve => conjuncts; intros; conjuncts; cbv beta zeta delta [blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ cubic_criterion_]; joins_of_numbers curve; counted_joins); met_joins; first [lra | numeric]. Qed.
 End ex_3_1_arrange.
 
 Module ex_3_1_tension_effect.
@@ -286,7 +292,7 @@ Import HermiteDevelopable.Section_3_1.ex_3_1_parallel.
 Theorem proved : statement.
 Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ hermite3_ p3_ x]; intros; repeat match goal with H : context [vDerive] |- _ => revert H end; repeat match goal with |- context [cubic_basis_ ?a ?b ?c ?d ?v] => change (cubic_basis_ a b c d v) with (cubic_basis a b c d (IZR v)) end; similar_cubics cubic_basis; split; [by_coefficients | split; preimages; cbv beta iota zeta delta [slope slopes tl poly cubic_of entry nth Nat.pred]; field; nonzero]. Qed.
 Theorem met : instance.
-Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, (-10), 30, (45/2), 0, 0, 0, (-10), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0; cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ cubic_basis_ hermite3_ p3_ x]); met_joins. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 2, 0, 0, 0, (-10), 30, (45/2), 0, 0, 0, (-10), 0, 0, 0, 0, 0, (1 / 2), 0, 0, 0, 0, 0, 0; cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 p3 cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ cubic_basis_ hermite3_ p3_ x]); met_joins. Qed.
 End ex_3_1_parallel.
 
 Module ex_3_1_width.
@@ -294,7 +300,7 @@ Import HermiteDevelopable.Section_3_1.ex_3_1_width.
 Theorem proved : statement.
 Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [statement q0 q1 q0u q1u blend4 hermite3 q3 k p3 o cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ narrow narrow_gap narrow_part narrow_criterion narrow_criterion_ narrow_criterion__ narrow_criterion___]; similar_cubics cubic_basis; preimages; flat (cubic_of (-20) (-20) 0 0) (-20); any_points; compute_goal; split; [parts; field | match goal with |- ?x < ?y => replace x with (4 / 9 * y) by field end; apply longer; [lra | apply length_positive; numeric]]. Qed.
 Theorem met : instance.
-Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 75, 30, 45, 0, (-15), 30, 75, (-25), 45, 0, (-25), (-30), 0, (130/3), 40, 45, 0, (-20), 40, (130/3), (-100/3), 45, 0, (-100/3), (-40); cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 k p3 o cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ narrow narrow_gap narrow_part narrow_criterion narrow_criterion_ narrow_criterion__ narrow_criterion___]); met_joins. Qed.
+Proof. stage cubic; stage cubic_; stage cubic_data; stage cubic_basis; cbv beta zeta delta [instance]; exists 0, 0, 0, 0, 75, 30, 45, 0, (-15), 30, 75, (-25), 45, 0, (-25), (-30), (1 / 2), (130/3), 40, 45, 0, (-20), 40, (130/3), (-100/3), 45, 0, (-100/3), (-40); cubic_parts cubic_basis ltac:(cbv beta zeta delta [q0 q1 q0u q1u blend4 hermite3 q3 k p3 o cubic_gap cubic_part cubic_criterion cubic_criterion__ cubic_criterion___ cubic_criterion____ narrow narrow_gap narrow_part narrow_criterion narrow_criterion_ narrow_criterion__ narrow_criterion___]); met_joins. Qed.
 End ex_3_1_width.
 
 Module ex_3_1_shapes.

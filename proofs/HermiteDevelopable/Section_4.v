@@ -412,7 +412,7 @@ End sec_4_goal_parallel.
 
 Module sec_4_in_plane.
 (* hermite-developable/sec-4.in-plane, Sect. 4, paragraph after (4.1)
-   printed: we have to find the control points and the tangent vectors r_0, r, r_1, r_0^u, r^u, and r_1^u in Gamma_3 as the projection images of the q_0, q, q_1, q_0^u, q^u, and q_1^u in Gamma_2, correspondingly, for designing the curve r_5(u)
+   printed: In other words, we have to find the control points and the tangent vectors r_0, r, r_1, r_0^u, r^u, and r_1^u in Gamma_3 as the projection images of the q_0, q, q_1, q_0^u, q^u, and q_1^u in Gamma_2, correspondingly, for designing the curve r_5(u)
    stated: dot(r0 - q0, normal) == 0 and dot(r - q0, normal) == 0 and dot(r1 - q0, normal) == 0 and dot(r0u, normal) == 0 and dot(ru, normal) == 0 and dot(r1u, normal) == 0 and quintic_basis(u)[1] + quintic_basis(u)[2] + quintic_basis(u)[3] == 1 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R) (u : R),

@@ -384,7 +384,7 @@ End sec_4_goal_parallel.
 
 Module sec_4_in_plane.
 (* hermite-developable/sec-4.in-plane, Sect. 4, paragraph after (4.1)
-   printed: we have to find the control points and the tangent vectors r_0, r, r_1, r_0^u, r^u, and r_1^u in Gamma_3 as the projection images of the q_0, q, q_1, q_0^u, q^u, and q_1^u in Gamma_2, correspondingly, for designing the curve r_5(u)
+   printed: In other words, we have to find the control points and the tangent vectors r_0, r, r_1, r_0^u, r^u, and r_1^u in Gamma_3 as the projection images of the q_0, q, q_1, q_0^u, q^u, and q_1^u in Gamma_2, correspondingly, for designing the curve r_5(u)
    stated: dot(r0 - q0, normal) == 0 and dot(r - q0, normal) == 0 and dot(r1 - q0, normal) == 0 and dot(r0u, normal) == 0 and dot(ru, normal) == 0 and dot(r1u, normal) == 0 and quintic_basis(u)[1] + quintic_basis(u)[2] + quintic_basis(u)[3] == 1 *)
 Definition r (a : list R) (d : list R) (o : list R) (q0 : list R) (qm : list R) : list R :=
   image a d o q0 qm.

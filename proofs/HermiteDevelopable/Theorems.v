@@ -212,6 +212,7 @@ Check (HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_C_r3.proved : Hermit
 Check (HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_C_r3.met : HermiteDevelopable.Section_3_1_printed.eq_3_5_C_r3.instance).
 Check (HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_C_r4.proved : HermiteDevelopable.Section_3_1_printed.eq_3_5_C_r4.statement).
 Check (HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_C_r4.met : HermiteDevelopable.Section_3_1_printed.eq_3_5_C_r4.instance).
+Check (HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_sizes.proved : HermiteDevelopable.Section_3_1_printed.eq_3_5_sizes.statement).
 Check (HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_unique.proved : HermiteDevelopable.Section_3_1_printed.eq_3_5_unique.statement).
 Check (HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_unique.met : HermiteDevelopable.Section_3_1_printed.eq_3_5_unique.instance).
 Check (HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_det.proved : HermiteDevelopable.Section_3_1_printed.eq_3_5_det.statement).
@@ -286,6 +287,7 @@ Check (HermiteDevelopable.Section_3_1_proofs.eq_3_5_C_r3.proved : HermiteDevelop
 Check (HermiteDevelopable.Section_3_1_proofs.eq_3_5_C_r3.met : HermiteDevelopable.Section_3_1.eq_3_5_C_r3.instance).
 Check (HermiteDevelopable.Section_3_1_proofs.eq_3_5_C_r4.proved : HermiteDevelopable.Section_3_1.eq_3_5_C_r4.statement).
 Check (HermiteDevelopable.Section_3_1_proofs.eq_3_5_C_r4.met : HermiteDevelopable.Section_3_1.eq_3_5_C_r4.instance).
+Check (HermiteDevelopable.Section_3_1_proofs.eq_3_5_sizes.proved : HermiteDevelopable.Section_3_1.eq_3_5_sizes.statement).
 Check (HermiteDevelopable.Section_3_1_proofs.eq_3_5_unique.proved : HermiteDevelopable.Section_3_1.eq_3_5_unique.statement).
 Check (HermiteDevelopable.Section_3_1_proofs.eq_3_5_unique.met : HermiteDevelopable.Section_3_1.eq_3_5_unique.instance).
 Check (HermiteDevelopable.Section_3_1_proofs.eq_3_5_det.proved : HermiteDevelopable.Section_3_1.eq_3_5_det.statement).
@@ -1123,6 +1125,7 @@ let _ := HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_C_r3.proved in
 let _ := HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_C_r3.met in
 let _ := HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_C_r4.proved in
 let _ := HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_C_r4.met in
+let _ := HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_sizes.proved in
 let _ := HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_unique.proved in
 let _ := HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_unique.met in
 let _ := HermiteDevelopable.Section_3_1_printed_proofs.eq_3_5_det.proved in
@@ -1197,6 +1200,7 @@ let _ := HermiteDevelopable.Section_3_1_proofs.eq_3_5_C_r3.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.eq_3_5_C_r3.met in
 let _ := HermiteDevelopable.Section_3_1_proofs.eq_3_5_C_r4.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.eq_3_5_C_r4.met in
+let _ := HermiteDevelopable.Section_3_1_proofs.eq_3_5_sizes.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.eq_3_5_unique.proved in
 let _ := HermiteDevelopable.Section_3_1_proofs.eq_3_5_unique.met in
 let _ := HermiteDevelopable.Section_3_1_proofs.eq_3_5_det.proved in
