@@ -301,10 +301,15 @@ impl Prove {
         Ok((text, exit))
     }
 
+    /// The stored answers, if they are of this version of the program.
+    fn accepted_before(&self, version: &str) -> Option<Accepted> {
+        Accepted::read(&self.out).filter(|old| old.coq == version)
+    }
+
     /// The theorems that were not accepted as they are.
     fn open_theorems<'f>(&self, coqc: &Coqc, folder: &'f Folder) -> Vec<&'f Theorem> {
         let prints = Fingerprints::of_version(&coqc.version);
-        let old = Accepted::read(&self.out).filter(|old| old.coq == coqc.version);
+        let old = self.accepted_before(&coqc.version);
         let is_known = |theorem: &&Theorem| {
             let old = old.as_ref();
             old.is_some_and(|old| old.has(theorem, &prints.fingerprint(theorem)))
@@ -336,8 +341,7 @@ impl Prove {
         let alone = folder.of_theorems(&names.collect());
         let open = printed.len() - alone.theorems.len();
         let prints = Fingerprints::of_version(&coqc.version);
-        let Some(mut accepted) = Accepted::read(&self.out).filter(|old| old.coq == coqc.version)
-        else {
+        let Some(mut accepted) = self.accepted_before(&coqc.version) else {
             let all = printed.len();
             return Ok((
                 format!("{all} not reached as printed\n"),
@@ -480,7 +484,7 @@ impl Prove {
     fn merge_earlier(&self, mut fresh: Accepted, folder: &Folder) -> Accepted {
         let old = match self.names.is_empty() && !self.changed {
             true => None,
-            false => Accepted::read(&self.out).filter(|old| old.coq == fresh.coq),
+            false => self.accepted_before(&fresh.coq),
         };
         let current: BTreeSet<String> = folder.theorems.iter().map(Theorem::name).collect();
         if let Some(old) = old {

@@ -2,7 +2,7 @@
 
 use crate::letter::{Envelope, Item, ItemChange};
 use crate::model::Report;
-use crate::text::visible;
+use crate::text::escape_markdown;
 use crate::view::FormulaView;
 use std::fmt::{self, Write};
 use torse_typography::{Mathematics, Prose, Span, latex_words};
@@ -355,20 +355,9 @@ impl fmt::Display for Latex<'_> {
 /// Escapes what Markdown would read as a mark, so that a reader of the source meets as little of it as can be; the text
 /// comes onto one line. A dollar sign is an entity: an escaped one still opens a formula where formulas are set.
 fn escaped(text: &str) -> String {
-    let mut plain = String::with_capacity(text.len());
-    for character in visible(text).chars() {
-        match character {
-            '&' => plain.push_str("&amp;"),
-            '<' => plain.push_str("&lt;"),
-            '>' => plain.push_str("&gt;"),
-            '$' => plain.push_str("&#36;"),
-            '\n' => plain.push(' '),
-            '*' | '_' | '`' | '[' | ']' | '\\' | '#' | '|' | '~' => {
-                plain.push('\\');
-                plain.push(character);
-            }
-            _ => plain.push(character),
-        }
-    }
-    plain
+    escape_markdown(text, |character| match character {
+        '$' => Some("&#36;".to_owned()),
+        '*' | '_' | '`' | '[' | ']' | '\\' | '#' | '|' | '~' => Some(format!("\\{character}")),
+        _ => None,
+    })
 }

@@ -3,7 +3,7 @@
 //! It stands beside the folder of figures, where the web page of a repository shows it: pictures that link to the drawings,
 //! and to the figure that moves where the report has one, each with its caption, its verdict, and its assumptions.
 
-use crate::text::{figure_anchor, visible};
+use crate::text::{escape_markdown, figure_anchor};
 use crate::{FigureImage, ReportError, glossary, plain};
 use std::fmt::{self, Write};
 use torse_verdicts::outcome::PaperOutcome;
@@ -83,19 +83,11 @@ fn entry(page: &mut String, figure: &FigureImage, moving: &str) -> fmt::Result {
 
 /// Escapes every sign of HTML and Markdown in a text, and puts it on one line.
 fn escaped(text: &str) -> String {
-    let mut plain = String::with_capacity(text.len());
-    for character in visible(text).chars() {
-        match character {
-            '&' => plain.push_str("&amp;"),
-            '<' => plain.push_str("&lt;"),
-            '>' => plain.push_str("&gt;"),
-            '"' => plain.push_str("&quot;"),
-            '\n' => plain.push(' '),
-            '*' | '_' | '`' | '[' | ']' | '\\' | '#' | '|' | '~' | '$' | '!' => {
-                plain.push_str(&format!("&#{};", u32::from(character)));
-            }
-            _ => plain.push(character),
+    escape_markdown(text, |character| match character {
+        '"' => Some("&quot;".to_owned()),
+        '*' | '_' | '`' | '[' | ']' | '\\' | '#' | '|' | '~' | '$' | '!' => {
+            Some(format!("&#{};", u32::from(character)))
         }
-    }
-    plain
+        _ => None,
+    })
 }

@@ -6,6 +6,24 @@ pub(crate) fn visible(text: &str) -> String {
     replace(text, |character| !acts_unseen(character))
 }
 
+/// Puts a text on one line of Markdown, with the signs of HTML as entities and each further sign as `mark` writes it.
+pub(crate) fn escape_markdown(text: &str, mark: impl Fn(char) -> Option<String>) -> String {
+    let mut plain = String::with_capacity(text.len());
+    for character in visible(text).chars() {
+        match character {
+            '&' => plain.push_str("&amp;"),
+            '<' => plain.push_str("&lt;"),
+            '>' => plain.push_str("&gt;"),
+            '\n' => plain.push(' '),
+            _ => match mark(character) {
+                Some(written) => plain.push_str(&written),
+                None => plain.push(character),
+            },
+        }
+    }
+    plain
+}
+
 /// Spells out every character that `keep` refuses as `‹U+E0F6›`.
 pub(crate) fn replace(text: &str, keep: impl Fn(char) -> bool) -> String {
     let mut shown = String::with_capacity(text.len());

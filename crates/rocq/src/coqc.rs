@@ -140,22 +140,13 @@ impl Coqc {
             let Some(section) = path.strip_suffix(PROOFS) else {
                 continue;
             };
-            let parts = modules::split(text);
             let accepted = |module: &str| {
                 answers.get(&format!("{section}.{module}")) == Some(&Answer::Accepted)
             };
-            let kept: Vec<&str> = parts
-                .modules
-                .iter()
-                .filter(|(module, _)| accepted(module))
-                .map(|(_, body)| *body)
-                .collect();
-            if kept.is_empty() {
+            let Some(kept) = modules::with_some(text, accepted) else {
                 continue;
-            }
-            let changed = kept.len() < parts.modules.len();
-            let kept = modules::join(parts.head, kept);
-            if changed {
+            };
+            if kept != *text {
                 write(&scratch.join(path), &kept)?;
                 self.run(scratch, path, limits)?;
             }

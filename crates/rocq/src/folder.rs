@@ -188,11 +188,8 @@ impl Folder {
             let Some(section) = path.strip_suffix(PROOFS) else {
                 return Some((path, text));
             };
-            let parts = modules::split(&text);
-            let is_kept = |module: &str| names.contains(&format!("{section}.{module}"));
-            let kept = parts.modules.iter().filter(|(module, _)| is_kept(module));
-            let kept: Vec<&str> = kept.map(|(_, body)| *body).collect();
-            (!kept.is_empty()).then(|| (path.clone(), modules::join(parts.head, kept)))
+            let is_named = |module: &str| names.contains(&format!("{section}.{module}"));
+            Some((path.clone(), modules::with_some(&text, is_named)?))
         });
         folder.files = files.collect();
         folder

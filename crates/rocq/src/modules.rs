@@ -39,6 +39,14 @@ pub(crate) fn join<'a>(head: &str, modules: impl IntoIterator<Item = &'a str>) -
     })
 }
 
+/// Returns the same file with some of its modules; `None` if none is left.
+pub(crate) fn with_some(text: &str, is_kept: impl Fn(&str) -> bool) -> Option<String> {
+    let parts = split(text);
+    let kept = parts.modules.iter().filter(|(name, _)| is_kept(name));
+    let kept: Vec<&str> = kept.map(|(_, body)| *body).collect();
+    (!kept.is_empty()).then(|| join(parts.head, kept))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

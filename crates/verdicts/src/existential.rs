@@ -66,8 +66,7 @@ pub(crate) fn decided(
                 witnesses,
                 ..proved
             };
-            let finding = net::proved(proved, &elaborated);
-            match finding {
+            match net::proved(proved, &elaborated) {
                 Finding::Proved(judged) => Finding::Proved(Box::new(Judged {
                     net: judged.net.with_own_witness(),
                     ..*judged

@@ -524,6 +524,17 @@ fn untrimmed(
 
 /// Returns whether rulings of these sheets lie on the surface of a face, as far as samples show.
 fn on_surface(face: &ImportedFace, sheets: &[Sheet], tolerance: f64) -> Result<(), String> {
+    let is_own = match &face.surface {
+        SurfaceShape::Ruled(_) => true,
+        SurfaceShape::Spline(surface) => {
+            surface.degrees.contains(&1) || spline_rails(surface).map_err(words)?.is_some()
+        }
+        _ => false,
+    };
+    if is_own {
+        // Its own curves were taken.
+        return Ok(());
+    }
     for sheet in sheets {
         for k in 0..=SAMPLES {
             let u = f64::from(k) / f64::from(SAMPLES);
@@ -544,14 +555,6 @@ fn on_surface(face: &ImportedFace, sheets: &[Sheet], tolerance: f64) -> Result<(
                     SurfaceShape::Extruded(_, vector) => {
                         let [p, q] = sheet.ruling(u).map_err(words)?;
                         norm(&cross(&sub(&q, &p), vector)) / norm(vector)
-                    }
-                    // Its own curves were taken.
-                    SurfaceShape::Ruled(_) => 0.0,
-                    SurfaceShape::Spline(surface)
-                        if surface.degrees.contains(&1)
-                            || spline_rails(surface).map_err(words)?.is_some() =>
-                    {
-                        0.0
                     }
                     _ => {
                         return Err(format!(

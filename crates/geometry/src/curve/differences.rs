@@ -25,8 +25,8 @@ fn binomial<S: Coordinate>(x: &S, n: usize, k: usize) -> S {
     let value = (1..=k).fold(1_u128, |c, i| c * wide(n + 1 - i) / wide(i));
     match usize::try_from(value) {
         Ok(small) if value <= HELD => x.natural(small),
-        Ok(large) => x.constant(&Rational::from_integer(Integer::from(large))),
-        Err(_) => x.constant(&Rational::from_integer(Integer::from(usize::MAX))),
+        // Also what 32 bits do not hold.
+        _ => x.constant(&Rational::from_integer(Integer::from(value))),
     }
 }
 

@@ -117,8 +117,9 @@ impl Quantity {
     /// The derivative by the variable or parameter `name`, where this has a value.
     #[must_use]
     pub fn derivative(&self, name: &str) -> Self {
+        let divisors: Vec<Polynomial> = self.series.iter().flat_map(Series::conditions).collect();
         Self {
-            plain: self.plain.derivative(name).under(&self.conditions()),
+            plain: self.plain.derivative(name).under(&divisors),
             series: self
                 .series
                 .iter()
@@ -156,11 +157,8 @@ impl Quantity {
     /// Everything that was divided by on the way here.
     #[must_use]
     pub fn conditions(&self) -> Vec<Polynomial> {
-        let series = self.series.iter().flat_map(Series::parts);
-        let mut all: Vec<Polynomial> = std::iter::once(&self.plain)
-            .chain(series)
-            .flat_map(|f| f.conditions().iter().cloned())
-            .collect();
+        let mut all = self.plain.conditions().to_vec();
+        all.extend(self.series.iter().flat_map(Series::conditions));
         all.sort();
         all.dedup();
         all

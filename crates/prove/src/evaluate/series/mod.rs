@@ -233,9 +233,7 @@ impl Series {
         let (mut plain, mut left, mut pending) = (Fraction::zero(), vec![], vec![self]);
         while let Some(series) = pending.pop() {
             if series.is_trivial() {
-                let conditions = series.parts().flat_map(Fraction::conditions);
-                let conditions: Vec<Polynomial> = conditions.cloned().collect();
-                plain = plain.under(&conditions);
+                plain = plain.under(&series.conditions());
                 continue;
             }
             if series.axes.is_empty() {
@@ -358,6 +356,12 @@ impl Series {
             step.into_iter().chain(&axis.seeds)
         });
         axes.chain([&self.factor, &self.points])
+    }
+
+    /// Everything that was divided by in its parts.
+    pub(super) fn conditions(&self) -> Vec<Polynomial> {
+        let all = self.parts().flat_map(Fraction::conditions);
+        all.cloned().collect()
     }
 }
 
