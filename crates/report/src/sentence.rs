@@ -40,14 +40,14 @@ pub(crate) fn short_sentence(outcome: &Outcome, faults: &[PaperFault]) -> String
             .unwrap_or_else(|| "False as printed.".to_owned()),
         Verdict::Conditional => {
             let found = found.map_or_else(String::new, |found| format!(" In words: {found}"));
-            let only = match needs_all(outcome) {
-                true => "only ",
+            let beyond = match needs_each(outcome) {
+                true => "; elsewhere it can fail",
                 false => "",
             };
             match conjunction(outcome.conditions()) {
-                Some(conditions) => format!("True {only}if {conditions}.{found}"),
+                Some(conditions) => format!("True if {conditions}{beyond}.{found}"),
                 None => {
-                    format!("True {only}under a condition, which the claim shows.{found}")
+                    format!("True under a condition, which the claim shows{beyond}.{found}")
                 }
             }
         }
@@ -93,12 +93,12 @@ pub(crate) fn fault_in_short(says: &str) -> String {
     sentence(first_sentence(says))
 }
 
-/// Whether the statement failed at every point that was tried at which one of the conditions does. Only then does the
-/// sentence say that the statement is true only if they hold. Where a number is asked for, the net says so of none: what
-/// fails there is the number that was given, and another one may do.
-fn needs_all(outcome: &Outcome) -> bool {
+/// Whether for each condition a point is known at which it fails and the statement is false or undefined. That the
+/// statement is true *only* if the condition holds is never said: other points without it may satisfy the statement. Of a
+/// claim that asks for a number no such point is known, since another number may do.
+fn needs_each(outcome: &Outcome) -> bool {
     outcome.net().is_some_and(|net| {
-        !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_necessary)
+        !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_needed)
     })
 }
 

@@ -175,15 +175,6 @@ impl ConditionCheck {
         self.needed_at.is_some()
     }
 
-    /// Whether the statement was false, or undefined, at every point without the condition, and at as many as required:
-    /// where some of them satisfy it, it is true not only if the condition is.
-    #[must_use]
-    pub fn seen_necessary(&self) -> bool {
-        self.seen_needed()
-            && self.holding == 0
-            && self.failing + self.undefined >= MIN_VIOLATING_POINTS
-    }
-
     /// Whether the statement was evaluated without the condition at as many points as required, and was true every
     /// time. A few points, at which everything else is zero as well, are no evidence.
     #[must_use]

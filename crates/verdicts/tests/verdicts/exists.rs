@@ -413,7 +413,7 @@ fn of_a_number_that_the_file_gives_nothing_says_that_a_condition_is_needed() {
         assert_eq!(found.verdict(), Conditional, "{exists} {states}");
         let net = found.net().unwrap();
         // Another number may do where this one has no value: r = a, 1, 0.
-        let is_needed = |own: &torse_verdicts::judged::ConditionCheck| own.seen_necessary();
+        let is_needed = |own: &torse_verdicts::judged::ConditionCheck| own.seen_needed();
         assert!(!net.conditions.iter().any(is_needed), "{exists} {states}");
         assert!(net.why.as_ref().unwrap().contains("another witness may do"));
     }
