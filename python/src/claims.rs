@@ -5,7 +5,7 @@ use crate::waiting::interruptible;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::path::PathBuf;
-use torse::report::{glossary, verdicts_json};
+use torse::report::{Envelope, glossary, verdicts_json};
 use torse::verdicts::outcome::Outcome;
 use torse::{Decided, Paper, Verification, WorkBudget};
 
@@ -236,6 +236,23 @@ impl PyVerification {
     /// As `torse verify --format json`.
     fn json(&self, py: Python<'_>) -> PyResult<String> {
         verdicts_json(self.0.outcomes()).map_err(|error| raised(py, &error.into()))
+    }
+
+    /// The letter of corrections, as Markdown and as LaTeX.
+    #[pyo3(signature = (sender, date))]
+    fn letter(
+        &self,
+        py: Python<'_>,
+        sender: Option<String>,
+        date: Option<String>,
+    ) -> PyResult<(String, String)> {
+        let letters = self.0.letters(&Envelope { sender, date });
+        let letters = letters.map_err(|error| raised(py, &error))?;
+        let texts = letters
+            .iter()
+            .map(|letter| (letter.markdown(), letter.latex()));
+        Ok(texts.unzip::<_, _, Vec<_>, Vec<_>>())
+            .map(|(markdown, latex)| (markdown.concat(), latex.concat()))
     }
 }
 

@@ -9,13 +9,14 @@ True
 
 from ._designs import Design, Pattern
 from ._statements import Decided, decide, equal, to_sympy
-from ._papers import Explanation, Paper, Verification
+from ._papers import Explanation, Letter, Paper, Verification
 from ._torse import TorseError, UndecidedError, __version__
 
 __all__ = [
     "Decided",
     "Design",
     "Explanation",
+    "Letter",
     "Paper",
     "Pattern",
     "TorseError",

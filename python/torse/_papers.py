@@ -53,6 +53,15 @@ class Verification:
         """The verdicts as `torse verify --format json` writes them."""
         return self._found.json()
 
+    def letter(self, sender=None, date=None):
+        """The letter of corrections to the paper's authors; without a sender it is marked as a draft.
+
+        >>> letter = Paper.read(_EXAMPLE).verify().letter(sender="A. Reader")
+        >>> "eq. (1)" in letter.markdown and letter.latex.startswith("\\\\documentclass")
+        True
+        """
+        return Letter(*self._found.letter(sender, date))
+
     def __len__(self):
         return len(self._found)
 
@@ -62,6 +71,20 @@ class Verification:
     def _repr_html_(self):
         groups = [[(row["id"], f"{row['verdict']}: {row['statement'] or row['at']}") for row in self.rows()]]
         return _html.table(groups)
+
+
+class Letter:
+    """The corrections of a paper, ready to be sent: `markdown` and `latex` are its texts."""
+
+    def __init__(self, markdown, latex):
+        self.markdown = markdown
+        self.latex = latex
+
+    def __repr__(self):
+        return self.markdown
+
+    def _repr_markdown_(self):
+        return self.markdown
 
 
 class Paper:

@@ -37,6 +37,13 @@ pub enum Error {
         /// The matching claims.
         ids: Vec<String>,
     },
+    /// A letter about a paper of which nothing is decided.
+    #[error("no statement of `{paper}` is decided, so that a letter would say nothing")]
+    #[diagnostic(help("write `states = '...'` under its claims"))]
+    NothingDecided {
+        /// The paper.
+        paper: String,
+    },
     /// The observer ended the work.
     #[error("cancelled")]
     Cancelled,

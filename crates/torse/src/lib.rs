@@ -100,6 +100,8 @@ pub mod annotations;
 #[cfg(feature = "code")]
 mod comparison;
 #[cfg(feature = "papers")]
+mod correction_letter;
+#[cfg(feature = "papers")]
 mod decided;
 #[cfg(feature = "designs")]
 mod design;
@@ -124,6 +126,8 @@ mod verifier;
 
 #[cfg(feature = "code")]
 pub use comparison::compare;
+#[cfg(feature = "papers")]
+pub use correction_letter::CorrectionLetter;
 #[cfg(feature = "papers")]
 pub use decided::{Decided, decide, decide_where, sympy};
 #[cfg(feature = "designs")]
