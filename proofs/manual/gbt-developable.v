@@ -887,6 +887,21 @@ Proof.
     ring ] end.
 Qed.
 
+(* gbt-developable/intro-gk.there are such compositions (printed) *)
+Theorem met.
+Proof.
+  destruct proved_there as (k & P & mu & nu & c1 & c2 & c3 & c4 & c5 & c6 & c7 & c8 & c9 & c10); exists k,
+    P, mu, nu; refine (conj c1 (conj c2 (conj c3 (conj c4 (conj c5 (conj c6 (conj c7 _))))))); repeat split;
+    apply filter_forall; intro; assumption.
+Qed.
+
+(* gbt-developable/intro-gk.there are such compositions (printed) *)
+Theorem proved.
+Proof.
+  hnf; intros k P mu nu c1 c2 c3 c4 c5 c6 c7 c8 c9 c10; exact (proved_there k P mu nu c1 c2 c3 c4 c5 c6 c7
+    c5 c6 c7).
+Qed.
+
 (* gbt-developable/sec-2.2.vd.quadratic *)
 Theorem met.
 Proof.
@@ -2446,6 +2461,13 @@ Proof.
     3 * (IZR k - 2) * (IZR k * (IZR k - 1) * p ^ 2) + 3 * (IZR k - 1) * (IZR k - 2) * (IZR k * p) - IZR k *
     (IZR k - 1) * (IZR k - 2)) by ring; repeat match goal with E : _ = ?t |- context [?t] => rewrite <- E;
   clear E end; field.
+Qed.
+
+(* gbt-developable/thm-1.5 (printed) *)
+Theorem refuted.
+Proof.
+  intro all; apply proved_there; hnf; intros mu nu x c1 c2 c3 k c c4 c5 i c6; exact (all mu nu c1 c2 k c
+    c4 c5 i c6).
 Qed.
 
 (* gbt-developable/thm-1.5 *)

@@ -1,6 +1,13 @@
 (* Scripts of theorems of gbt-surfaces whose proofs have an idea of their own: nobody has to read them. This is no file for the
    kernel: `torse prove` reads each script by its claim and its name, and writes it below the statement. *)
 
+(* gbt-surfaces/abs.basis.b.basis (printed) *)
+Theorem refuted.
+Proof.
+  intro all; apply proved_there; hnf; intros mu nu x c1 c2 c3 k c c4 c5 i c6; exact (all mu nu c1 c2 k c
+    c4 c5 i c6).
+Qed.
+
 (* gbt-surfaces/abs.basis.b.basis *)
 Theorem refuted.
 Proof.
@@ -540,6 +547,14 @@ Proof.
         | |- 0 <= _ * _ => apply Rmult_le_pos end ] | right; field_simplify_eq; ring [F] ] ].
 Qed.
 
+(* gbt-surfaces/sec-2.3.classical.the features of Sect. 2.2 (printed) *)
+Theorem proved.
+Proof.
+  hnf; intros m n G mu mu1 nu nu1 z z1 c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13 c14; pose proof (fun y
+    cy => proved_there m n G mu mu1 nu nu1 y z1 c1 c2 c3 c4 c5 c6 cy c8 c9 c10 c11 c12 c13 c14) as all;
+    exact (conj (fun y cy => proj1 (all y cy)) (proj2 (all z c7))).
+Qed.
+
 (* gbt-surfaces/sec-2.3.classical.the features of Sect. 2.2 *)
 Theorem proved.
 Proof.
@@ -554,6 +569,15 @@ Proof.
   refuting_at_ends (no 2%Z 2%Z (fun i j => IZR (i + j)) 0 0 0 0).
 Qed.
 
+(* gbt-surfaces/sec-3.1.benefits (printed) *)
+Theorem proved.
+Proof.
+  hnf; intros m Q V alpha mu nu z z1 c1 c2 c3 c4 c5 c6 c7 c8 c9; pose proof (fun y cy => proved_there m Q
+    V alpha mu nu y z1 c1 c2 c3 c4 cy c6 c7 c8 c9) as all; destruct (all z c5) as (a1 & _ & _ & rest); exact
+    (conj a1 (conj (fun y cy => proj1 (proj2 (all y cy))) (conj (fun y cy => proj1 (proj2 (proj2 (all y
+    cy)))) rest))).
+Qed.
+
 (* gbt-surfaces/sec-3.1.not-tensor.literal *)
 Theorem refuted.
 Proof.
@@ -563,6 +587,16 @@ Proof.
   f_equal; cbv beta delta [f]; compute_goal; pose proof (sin2_cos2 (PI / 2 * z1)) as E; unfold Rsqr in E;
   generalize dependent (sin (PI / 2 * z1)); generalize dependent (cos (PI / 2 * z1)); intros c s E;
   assert (F : s * s = 1 - c * c) by lra; ring [F].
+Qed.
+
+(* gbt-surfaces/sec-3.2.list-2 (printed) *)
+Theorem proved.
+Proof.
+  hnf; intros m n A B G mu mu1 nu nu1 t z z1 c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13 c14; destruct
+    (proved_there m n A B G mu mu1 nu nu1 t z z1 c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13 c14) as (a1 & a2
+    & a3 & a4 & a5 & _); refine (conj a1 (conj a2 (conj a3 (conj a4 (conj a5 _))))); intros y cy; exact
+    (proj2 (proj2 (proj2 (proj2 (proj2 (proved_there m n A B G mu mu1 nu nu1 t y z1 c1 c2 c3 c4 c5 c6 cy c8
+    c9 c10 c11 c12 c13 c14)))))).
 Qed.
 
 (* gbt-surfaces/sec-3.2.list-2 *)
@@ -684,6 +718,13 @@ Proof.
   parts; spread; ring.
 Qed.
 
+(* gbt-surfaces/sec-3.6.plane.generating line *)
+Theorem proved.
+Proof.
+  hnf; intros phi psi w x c e; cbn in e; assert (P : sin phi * x = 0) by lra; destruct (Rmult_integral _ _
+    P); [ right | left ]; assumption.
+Qed.
+
 (* gbt-surfaces/sec-4.composite.by the printed conditions *)
 Theorem refuted.
 Proof.
@@ -697,6 +738,23 @@ Theorem proved.
 Proof.
   cbv beta zeta delta [statement a1 b1 f a join1 a2 a3_true join2 b2_true c1 b3_true b5_true b4_true join3
     next F next_ F_]; sums_at_ends; intros; conjuncts; parts; field; nonzero.
+Qed.
+
+(* gbt-surfaces/sec-4.six-tensor.without (printed) *)
+Theorem met.
+Proof.
+  destruct proved_there as (m & n & A & B & Q & U & V & X & Z & mu & mu1 & nu & nu1 & z & z1 & c1 & c2 &
+    c3 & c4 & c5 & c6 & c7 & c8 & c9 & c10 & c11 & c12 & c13); exists m, n, A, B, Q, U, V, X, Z, mu, mu1,
+    nu, nu1, z, z1; refine (conj c1 (conj c2 (conj c3 (conj c4 (conj c5 (conj c6 (conj c7 (conj c8 (conj c9
+    (conj c10 (conj c11 (conj c12 (conj c13 _))))))))))))); intros; apply (BinInt.Z.le_trans 2 3 n); [
+    discriminate | exact c4 ].
+Qed.
+
+(* gbt-surfaces/sec-4.six-tensor.without (printed) *)
+Theorem proved.
+Proof.
+  hnf; intros m n A B Q U V X Z mu mu1 nu nu1 z z1 c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13 c14; exact
+    (proved_there m n A B Q U V X Z mu mu1 nu nu1 z z1 c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13).
 Qed.
 
 (* gbt-surfaces/tab-1.2.proposed *)
