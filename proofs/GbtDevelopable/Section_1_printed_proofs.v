@@ -12,9 +12,9 @@ End intro_gk_by_the_printed_conditions.
 Module intro_gk_there_are_such_compositions.
 Import GbtDevelopable.Section_1_printed.intro_gk_there_are_such_compositions.
 Theorem proved : statement.
-Proof. follows GbtDevelopable.Section_1_proofs.intro_gk_there_are_such_compositions.proved. Qed.
+Proof. hnf; intros k P mu nu c1 c2 c3 c4 c5 c6 c7 c8 c9 c10; exact (GbtDevelopable.Section_1_proofs.intro_gk_there_are_such_compositions.proved k P mu nu c1 c2 c3 c4 c5 c6 c7 c5 c6 c7). Qed.
 Theorem met : instance.
-Proof. follows GbtDevelopable.Section_1_proofs.intro_gk_there_are_such_compositions.met. Qed.
+Proof. destruct GbtDevelopable.Section_1_proofs.intro_gk_there_are_such_compositions.met as (k & P & mu & nu & c1 & c2 & c3 & c4 & c5 & c6 & c7 & c8 & c9 & c10); exists k, P, mu, nu; refine (conj c1 (conj c2 (conj c3 (conj c4 (conj c5 (conj c6 (conj c7 _))))))); repeat split; apply filter_forall; intro; assumption. Qed.
 End intro_gk_there_are_such_compositions.
 
 Module intro_continuity_free_a.

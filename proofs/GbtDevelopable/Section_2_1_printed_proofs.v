@@ -144,7 +144,7 @@ End thm_1_4.
 Module thm_1_5.
 Import GbtDevelopable.Section_2_1_printed.thm_1_5.
 Theorem refuted : ~ statement.
-Proof. follows GbtDevelopable.Section_2_1_proofs.thm_1_5.refuted. Qed.
+Proof. intro all; apply GbtDevelopable.Section_2_1_proofs.thm_1_5.refuted; hnf; intros mu nu x c1 c2 c3 k c c4 c5 i c6; exact (all mu nu c1 c2 k c c4 c5 i c6). Qed.
 End thm_1_5.
 
 Module thm_1_5_quadratic.

@@ -22,7 +22,7 @@ End abs_basis_b_name.
 Module abs_basis_b_basis.
 Import GbtSurfaces.Part_Abstract_printed.abs_basis_b_basis.
 Theorem refuted : ~ statement.
-Proof. follows GbtSurfaces.Part_Abstract_proofs.abs_basis_b_basis.refuted. Qed.
+Proof. intro all; apply GbtSurfaces.Part_Abstract_proofs.abs_basis_b_basis.refuted; hnf; intros mu nu x c1 c2 c3 k c c4 c5 i c6; exact (all mu nu c1 c2 k c c4 c5 i c6). Qed.
 End abs_basis_b_basis.
 
 Module abs_basis_order_2.

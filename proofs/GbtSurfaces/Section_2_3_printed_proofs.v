@@ -46,7 +46,7 @@ End sec_2_3_features_d.
 Module sec_2_3_classical_the_features_of_Sect__2_2.
 Import GbtSurfaces.Section_2_3_printed.sec_2_3_classical_the_features_of_Sect__2_2.
 Theorem proved : statement.
-Proof. follows GbtSurfaces.Section_2_3_proofs.sec_2_3_classical_the_features_of_Sect__2_2.proved. Qed.
+Proof. hnf; intros m n G mu mu1 nu nu1 z z1 c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13 c14; pose proof (fun y cy => GbtSurfaces.Section_2_3_proofs.sec_2_3_classical_the_features_of_Sect__2_2.proved m n G mu mu1 nu nu1 y z1 c1 c2 c3 c4 c5 c6 cy c8 c9 c10 c11 c12 c13 c14) as all; exact (conj (fun y cy => proj1 (all y cy)) (proj2 (all z c7))). Qed.
 Theorem met : instance.
 Proof. follows GbtSurfaces.Section_2_3_proofs.sec_2_3_classical_the_features_of_Sect__2_2.met. Qed.
 End sec_2_3_classical_the_features_of_Sect__2_2.

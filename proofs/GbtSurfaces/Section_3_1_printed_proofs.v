@@ -174,7 +174,7 @@ End thm_3.
 Module sec_3_1_benefits.
 Import GbtSurfaces.Section_3_1_printed.sec_3_1_benefits.
 Theorem proved : statement.
-Proof. follows GbtSurfaces.Section_3_1_proofs.sec_3_1_benefits.proved. Qed.
+Proof. hnf; intros m Q V alpha mu nu z z1 c1 c2 c3 c4 c5 c6 c7 c8 c9; pose proof (fun y cy => GbtSurfaces.Section_3_1_proofs.sec_3_1_benefits.proved m Q V alpha mu nu y z1 c1 c2 c3 c4 cy c6 c7 c8 c9) as all; destruct (all z c5) as (a1 & _ & _ & rest); exact (conj a1 (conj (fun y cy => proj1 (proj2 (all y cy))) (conj (fun y cy => proj1 (proj2 (proj2 (all y cy)))) rest))). Qed.
 Theorem met : instance.
 Proof. follows GbtSurfaces.Section_3_1_proofs.sec_3_1_benefits.met. Qed.
 End sec_3_1_benefits.

@@ -78,7 +78,7 @@ End sec_3_2_list_1.
 Module sec_3_2_list_2.
 Import GbtSurfaces.Section_3_2_printed.sec_3_2_list_2.
 Theorem proved : statement.
-Proof. follows GbtSurfaces.Section_3_2_proofs.sec_3_2_list_2.proved. Qed.
+Proof. hnf; intros m n A B G mu mu1 nu nu1 t z z1 c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13 c14; destruct (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_2.proved m n A B G mu mu1 nu nu1 t z z1 c1 c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13 c14) as (a1 & a2 & a3 & a4 & a5 & _); refine (conj a1 (conj a2 (conj a3 (conj a4 (conj a5 _))))); intros y cy; exact (proj2 (proj2 (proj2 (proj2 (proj2 (GbtSurfaces.Section_3_2_proofs.sec_3_2_list_2.proved m n A B G mu mu1 nu nu1 t y z1 c1 c2 c3 c4 c5 c6 cy c8 c9 c10 c11 c12 c13 c14)))))). Qed.
 Theorem met : instance.
 Proof. follows GbtSurfaces.Section_3_2_proofs.sec_3_2_list_2.met. Qed.
 End sec_3_2_list_2.

@@ -45,7 +45,7 @@ End sec_3_6_revolving.
 Module sec_3_6_plane_generating_line.
 Import GbtSurfaces.Section_3_6.sec_3_6_plane_generating_line.
 Theorem proved : statement.
-Proof. cbv beta zeta delta [statement printed_]; identity. Qed.
+Proof. hnf; intros phi psi w x c e; cbn in e; assert (P : sin phi * x = 0) by lra; destruct (Rmult_integral _ _ P); [ right | left ]; assumption. Qed.
 Theorem met : instance.
 Proof. cbv beta zeta delta [instance printed_]; first [(exists ((2 / 3) * PI), (3), (4), (5); met) | (exists (1 * PI), (0), (0), (0); met) | (exists ((2 / 3) * PI), (8), (8), (6); met) | (exists ((2 / 3) * PI), (1), (1), (1); met) | (exists ((2 / 3) * PI), (1), (0), (0); met)]. Qed.
 End sec_3_6_plane_generating_line.
