@@ -10,7 +10,7 @@ use crate::letters::is_function;
 use crate::markup;
 use crate::math_box::{Fence, MathBox, MathChange};
 use crate::prose::{Stretch, quoted};
-use crate::write::{MAX_FRAMED, text};
+use crate::write::text;
 use crate::{Mathematics, PrintedNames, Prose, Span};
 
 /// Longer sentences, and formulas of more boxes, are not compared.
@@ -356,11 +356,14 @@ fn whole(mark: MathChange, node: &MathBox) -> MathBox {
     MathBox::row(terms)
 }
 
+/// Maximum length of a term in one frame, in letters: a frame is no wider than half a line.
+const MAX_FRAMED_TERM: usize = 50;
+
 /// A term in one frame, or, where that would be longer than a line, what is in its brackets term by term and the rest in frames
 /// between them.
 fn framed_term(mark: MathChange, term: Vec<MathBox>) -> Vec<MathBox> {
     let framed = |nodes: Vec<MathBox>| MathBox::Marked(mark, Box::new(MathBox::row(nodes)));
-    let is_long = |node: &MathBox| text(node).chars().count() > MAX_FRAMED;
+    let is_long = |node: &MathBox| text(node).chars().count() > MAX_FRAMED_TERM;
     if term.is_empty() {
         return vec![];
     }

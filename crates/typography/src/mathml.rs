@@ -99,28 +99,42 @@ fn width(nodes: &[MathBox]) -> usize {
 fn split(nodes: Vec<MathBox>) -> Vec<Vec<MathBox>> {
     let mut list: Vec<Vec<MathBox>> = vec![vec![]];
     for node in nodes {
-        let cuts = match &node {
-            MathBox::Sign('+' | '−' | '=' | '<' | '>' | '≤' | '≥' | '≠' | '≈' | '⇒') => {
-                true
-            }
-            MathBox::Marked(_, inner) => {
-                matches!(&**inner, MathBox::Row(nodes) if matches!(nodes.first(), Some(MathBox::Sign('+' | '−'))))
-            }
-            _ => false,
-        };
-        let before = list.last().and_then(|piece| piece.last());
-        let operand = !matches!(
-            before,
-            None | Some(MathBox::Sign(
-                '(' | '[' | ',' | '+' | '−' | '=' | '<' | '>' | '≤' | '≥' | '≠' | '≈'
-            ))
+        let cuts = matches!(
+            leading(&node),
+            Some('+' | '−' | '=' | '<' | '>' | '≤' | '≥' | '≠' | '≈' | '⇒')
         );
+        let before = list.last().and_then(|piece| piece.last());
+        let operand = before.is_some_and(|before| {
+            !matches!(
+                unframed(before),
+                MathBox::Sign(
+                    '(' | '[' | ',' | '+' | '−' | '=' | '<' | '>' | '≤' | '≥' | '≠' | '≈'
+                )
+            )
+        });
         match list.last_mut() {
             Some(piece) if !(cuts && operand) => piece.push(node),
             _ => list.push(vec![node]),
         }
     }
     list
+}
+
+/// What is in a frame, or the box itself.
+fn unframed(node: &MathBox) -> &MathBox {
+    match node {
+        MathBox::Marked(_, inner) => inner,
+        node => node,
+    }
+}
+
+/// The sign with which a box begins, framed or not.
+fn leading(node: &MathBox) -> Option<char> {
+    match (node, unframed(node)) {
+        (_, MathBox::Sign(sign)) => Some(*sign),
+        (MathBox::Marked(..), MathBox::Row(nodes)) => nodes.first().and_then(leading),
+        _ => None,
+    }
 }
 
 /// Turns brackets around a sum into signs of their own.
