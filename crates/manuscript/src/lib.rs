@@ -23,6 +23,7 @@ mod meaning;
 mod numbering;
 mod occurrences;
 mod proposal;
+mod switches;
 mod symbols;
 mod words;
 

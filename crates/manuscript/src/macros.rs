@@ -1,9 +1,11 @@
 //! Macros: `\newcommand`, `\renewcommand`, `\providecommand`, `\def` with parameters without delimiters, and
-//! `\DeclareMathOperator`.
+//! `\DeclareMathOperator`; they last to the end of the group in which they are defined. What `\iffalse` and the switches of
+//! `\newif` leave out is left out.
 //!
 //! Expansion is bounded by its number and by the size of the text; a macro that calls itself meets a bound, which is an error. What
 //! a macro stands for has the place of its call.
 
+use crate::switches::Switches;
 use std::collections::BTreeMap;
 use torse_syntax::formula::Place;
 use torse_syntax::latex::token::{MAX_TEX_TOKENS, PlacedTex, TexToken};
@@ -44,15 +46,52 @@ impl std::error::Error for ManuscriptError {}
 /// What is not understood, and its place.
 pub type Unread = (Place, String);
 
+#[derive(Clone)]
 struct Macro {
     parameters: usize,
     default: Option<Vec<PlacedTex>>,
     body: Vec<PlacedTex>,
 }
 
+/// The macros in force, and what they were outside of the groups around.
+#[derive(Default)]
+struct Macros {
+    known: BTreeMap<String, Macro>,
+    /// For each open group what its definitions replaced.
+    outside: Vec<Vec<(String, Option<Macro>)>>,
+}
+
+impl Macros {
+    fn define(&mut self, (name, found): (String, Macro)) {
+        let before = self.known.insert(name.clone(), found);
+        if let Some(group) = self.outside.last_mut() {
+            group.push((name, before));
+        }
+    }
+
+    /// Follows the beginnings and ends of groups.
+    fn group(&mut self, token: &PlacedTex) {
+        let begins =
+            token.is('{') || matches!(token.command(), Some("begin" | "begingroup" | "bgroup"));
+        let ends = token.is('}') || matches!(token.command(), Some("end" | "endgroup" | "egroup"));
+        if begins {
+            self.outside.push(vec![]);
+        } else if ends {
+            let defined = self.outside.pop().unwrap_or_default();
+            for (name, before) in defined.into_iter().rev() {
+                match before {
+                    Some(before) => self.known.insert(name, before),
+                    None => self.known.remove(&name),
+                };
+            }
+        }
+    }
+}
+
 /// Takes definitions out of the text and expands their calls; also returns the places of definitions that are not understood.
 pub fn expanded(tokens: Vec<PlacedTex>) -> Result<(Vec<PlacedTex>, Vec<Unread>), ManuscriptError> {
-    let mut macros: BTreeMap<String, Macro> = BTreeMap::new();
+    let mut macros = Macros::default();
+    let mut switches = Switches::default();
     let mut unread = vec![];
     let mut output: Vec<PlacedTex> = vec![];
     let mut expansions = 0_usize;
@@ -60,50 +99,58 @@ pub fn expanded(tokens: Vec<PlacedTex>) -> Result<(Vec<PlacedTex>, Vec<Unread>),
     let mut input: Vec<PlacedTex> = tokens;
     input.reverse();
     while let Some(token) = input.pop() {
+        macros.group(&token);
         let Some(name) = token.command().map(str::to_owned) else {
             output.push(token);
             continue;
         };
-        match name.trim_end_matches('*') {
+        if let Some(why) = switches.take(&name, &mut input) {
+            unread.extend(why.map(|why| (token.place, why)));
+            continue;
+        }
+        let not_understood = match name.trim_end_matches('*') {
             "newcommand" | "renewcommand" | "providecommand" => match new_command(&mut input) {
-                Some((name, found)) => {
-                    macros.insert(name, found);
+                Some(found) => {
+                    macros.define(found);
+                    continue;
                 }
-                None => unread.push((token.place, format!("this `\\{name}` is not understood"))),
+                None => format!("this `\\{name}` is not understood"),
             },
             "DeclareMathOperator" => match operator(&mut input, token.place) {
-                Some((name, found)) => {
-                    macros.insert(name, found);
+                Some(found) => {
+                    macros.define(found);
+                    continue;
                 }
-                None => unread.push((token.place, "this operator is not understood".to_owned())),
+                None => "this operator is not understood".to_owned(),
             },
             "def" => match definition(&mut input) {
-                Some((name, found)) => {
-                    macros.insert(name, found);
-                }
-                None => unread.push((
-                    token.place,
-                    "this `\\def` is not understood: its parameters have delimiters".to_owned(),
-                )),
-            },
-            _ => match macros.get(&name) {
-                None => output.push(token),
                 Some(found) => {
-                    expansions += 1;
-                    let arguments = arguments(found, &mut input);
-                    let text = substituted(&found.body, &arguments, token.place);
-                    if expansions > MAX_EXPANSIONS
-                        || input.len() + text.len() + output.len() > MAX_TEX_TOKENS
-                    {
-                        return Err(ManuscriptError::Expansion {
-                            name,
-                            place: token.place,
-                        });
-                    }
-                    input.extend(text.into_iter().rev());
+                    macros.define(found);
+                    continue;
                 }
+                None => "this `\\def` is not understood: its parameters have delimiters".to_owned(),
             },
-        }
+            _ => {
+                let Some(found) = macros.known.get(&name) else {
+                    output.push(token);
+                    continue;
+                };
+                expansions += 1;
+                let arguments = arguments(found, &mut input);
+                let text = substituted(&found.body, &arguments, token.place);
+                if expansions > MAX_EXPANSIONS
+                    || input.len() + text.len() + output.len() > MAX_TEX_TOKENS
+                {
+                    return Err(ManuscriptError::Expansion {
+                        name,
+                        place: token.place,
+                    });
+                }
+                input.extend(text.into_iter().rev());
+                continue;
+            }
+        };
+        unread.push((token.place, not_understood));
     }
     Ok((output, unread))
 }

@@ -588,3 +588,105 @@ fn a_number_and_a_bold_vector_may_have_the_same_letter() {
         "dot(a_vector, b_vector) == dot(b_vector, a_vector)"
     );
 }
+
+/// The statements of the numbered equations.
+fn equations(body: &str) -> Vec<(String, String)> {
+    let text = format!(
+        "\\documentclass{{article}}\n\\begin{{document}}\nLet $x, y, a, b$ be real numbers.\n{body}"
+    );
+    let paper = loads(&proposed(&text));
+    let claims = paper.claims.iter();
+    let claims = claims.map(|claim| {
+        claim
+            .entry
+            .id
+            .get_ref()
+            .trim_start_matches("paper/")
+            .to_owned()
+    });
+    claims.map(|id| (id.clone(), stated(&paper, &id))).collect()
+}
+
+#[track_caller]
+fn has(body: &str, wanted: &[&str]) {
+    let found = equations(&format!("{body}\n\\end{{document}}\n"));
+    let found: Vec<&str> = found.iter().map(|(_, states)| states.as_str()).collect();
+    assert_eq!(found, wanted, "{body}");
+}
+
+#[test]
+fn a_formula_over_several_rows_is_read_whole() {
+    let square = "(a + b)^2 == a^2 + 2*a*b + b^2";
+    has(
+        r"\begin{align} (a+b)^2 = {}& a^2 + 2ab \\ & {} + b^2 \end{align}",
+        &[square],
+    );
+    has(
+        r"\begin{align} (a+b)^2 = {}& a^2 + 2ab \nonumber\\ & {} + b^2 \end{align}",
+        &[square],
+    );
+    has(
+        r"\begin{align} (a+b)^2 &= a^2 + 2ab + \\ & b^2 \end{align}",
+        &[square],
+    );
+    has(
+        r"\begin{equation}\begin{split} (a+b)^2 &= a^2 \\ &\quad + 2ab + b^2 \end{split}\end{equation}",
+        &[square],
+    );
+    let less = "(a - b)^2 == a^2 - 2*a*b + b^2";
+    has(
+        r"\begin{align} (a+b)^2 &= a^2 + 2ab + b^2 \\ (a-b)^2 &= a^2 - 2ab + b^2 \end{align}",
+        &[square, less],
+    );
+    has(
+        r"\begin{equation}\begin{aligned} (a+b)^2 &= a^2 + 2ab + b^2 \\ (a-b)^2 &= a^2 - 2ab + b^2 \end{aligned}\end{equation}",
+        &[&format!("{square} and {less}")],
+    );
+}
+
+#[test]
+fn what_tex_does_not_typeset_is_not_read() {
+    let kept = r"\begin{equation} x + y = y + x \end{equation}";
+    let other = r"\begin{equation} a + b = ab \end{equation}";
+    has(
+        &format!(r"\iffalse {other} \fi {kept}"),
+        &["x + y == y + x"],
+    );
+    has(
+        &format!(r"\iftrue {kept} \else {other} \fi"),
+        &["x + y == y + x"],
+    );
+    has(
+        &format!(r"\newif\ifdraft \drafttrue \ifdraft {kept} \else {other} \fi"),
+        &["x + y == y + x"],
+    );
+    has(
+        &format!(r"\newif\ifdraft \ifdraft {other} \iffalse a \fi \else {kept} \fi"),
+        &["x + y == y + x"],
+    );
+    has(
+        r"\begin{equation} x = y \iff y = x \end{equation}",
+        &["(x == y implies y == x) and (y == x implies x == y)"],
+    );
+    let behind = equations(&format!("{kept}\n\\end{{document}}\n{other}"));
+    assert_eq!(behind.len(), 1, "{behind:?}");
+    let unknown = proposed(&format!(
+        "\\begin{{document}}{kept} \\ifx a b {other} \\fi\\end{{document}}"
+    ));
+    assert!(
+        unknown
+            .unread
+            .iter()
+            .any(|unread| unread.why.contains("ifx")),
+        "{:?}",
+        unknown.unread
+    );
+}
+
+#[test]
+fn a_macro_lasts_to_the_end_of_its_group() {
+    has(
+        r"\newcommand{\k}{7} {\renewcommand{\k}{9} \begin{equation} x + y = \k y \end{equation}} \begin{equation} x + y = \k x \end{equation}",
+        &["x + y == 9*y", "x + y == 7*x"],
+    );
+}

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod cases;
+mod rows;
 mod scan;
 
 use crate::macros::{ManuscriptError, Unread, expanded};

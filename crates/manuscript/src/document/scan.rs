@@ -2,6 +2,7 @@
 
 use super::arguments::{argument, end_of, option, without_labels};
 use super::cases::by_members;
+use super::rows::{goes_on, joined};
 use super::{Manuscript, ManuscriptFormula, ManuscriptItem};
 use crate::linear::linear;
 use crate::numbering::Numbering;
@@ -12,19 +13,30 @@ use torse_syntax::latex::item::TexItem;
 use torse_syntax::latex::token::{PlacedTex, TexToken};
 use torse_syntax::latex::{layout_tokens, without_final_punctuation};
 
-/// Environments of displayed mathematics; those in which each row has a number are marked.
-const DISPLAYS: [(&str, bool); 10] = [
-    ("equation", false),
-    ("multline", false),
-    ("displaymath", false),
-    ("math", false),
-    ("align", true),
-    ("gather", true),
-    ("eqnarray", true),
-    ("flalign", true),
-    ("alignat", true),
-    ("IEEEeqnarray", true),
+/// Environments of displayed mathematics.
+const DISPLAYS: [(&str, Rows); 10] = [
+    ("equation", Rows::None),
+    ("multline", Rows::None),
+    ("displaymath", Rows::None),
+    ("math", Rows::None),
+    ("align", Rows::Aligned),
+    ("gather", Rows::EachAlone),
+    ("eqnarray", Rows::Aligned),
+    ("flalign", Rows::Aligned),
+    ("alignat", Rows::Aligned),
+    ("IEEEeqnarray", Rows::Aligned),
 ];
+
+/// What the rows of an environment are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Rows {
+    /// Lines of one formula.
+    None,
+    /// A formula may have several.
+    Aligned,
+    /// Formulas each.
+    EachAlone,
+}
 
 /// The largest depth of environments.
 const MAX_ENVIRONMENTS: usize = 40;
@@ -298,55 +310,36 @@ impl Scan {
         } else {
             words.push_str(&self.text(inner));
         }
-        after
+        match bare {
+            // What stands behind is not typeset.
+            "document" => tokens.len(),
+            _ => after,
+        }
     }
 
     /// Reads displayed mathematics; rows that begin with a relation go on with the row before.
-    fn display(&mut self, inner: &[PlacedTex], place: Place, rows: bool, numbered: bool) -> String {
+    fn display(&mut self, inner: &[PlacedTex], place: Place, rows: Rows, numbered: bool) -> String {
         let mut lines: Vec<Vec<PlacedTex>> = vec![vec![]];
         let mut depth = 0_usize;
         for token in inner {
             match token.command() {
                 Some("begin") => depth += 1,
                 Some("end") => depth = depth.saturating_sub(1),
-                Some("\\") if depth == 0 && rows => {
+                Some("\\" | "\\*") if depth == 0 && rows != Rows::None => {
                     lines.push(vec![]);
                     continue;
                 }
-                Some("\\" | "\\*") if depth == 0 => continue,
                 _ => {}
             }
             if let Some(line) = lines.last_mut() {
                 line.push(token.clone());
             }
         }
-        let continues = |line: &Vec<PlacedTex>| {
-            let first = line.iter().find(|token| !token.is(' ') && !token.is('&'));
-            first.is_some_and(|token| {
-                ["=", "+", "-", "<", ">"]
-                    .iter()
-                    .any(|sign| token.is(sign.chars().next().unwrap_or('=')))
-                    || matches!(
-                        token.command(),
-                        Some(
-                            "le" | "leq"
-                                | "ge"
-                                | "geq"
-                                | "ne"
-                                | "neq"
-                                | "cdot"
-                                | "times"
-                                | "equiv"
-                                | "quad"
-                                | "qquad"
-                        )
-                    )
-            })
-        };
+        let each_alone = rows == Rows::EachAlone;
         let mut groups: Vec<Vec<Vec<PlacedTex>>> = vec![];
         for line in lines {
             match groups.last_mut() {
-                Some(before) if continues(&line) => before.push(line),
+                Some(before) if goes_on(before, &line, each_alone) => before.push(line),
                 _ => groups.push(vec![line]),
             }
         }
@@ -356,7 +349,7 @@ impl Scan {
                 continue;
             }
             let (number, label) = self.numbered(&rows, numbered);
-            let group = rows.concat();
+            let group = joined(&rows);
             let place = match (group.first(), group.last()) {
                 (Some(first), Some(last)) => first.place.to(last.place),
                 _ => place,

@@ -24,6 +24,10 @@ impl Reader<'_> {
         let Some(item) = line.peek() else {
             return Err(LatexError::new(line.place(), "an operand is missing"));
         };
+        if item.primes > 0 {
+            let error = LatexError::new(item.place, "a sum or an integral has a prime");
+            return Err(error.with_help("say in words what the prime leaves out"));
+        }
         line.next += 1;
         match kind {
             "int" => self.integral(line, item),
@@ -108,6 +112,14 @@ impl Reader<'_> {
                 place,
                 "the integral has no differential before the next relation",
             ));
+        }
+        let behind = rest.get(at + 2);
+        if inner.is_empty() && behind.is_some_and(begins_operand) {
+            let error = LatexError::new(
+                place,
+                "the differential stands before an operand: is this the integrand?",
+            );
+            return Err(error.with_help("write the differential last"));
         }
         let body = if inner.is_empty() {
             Term {

@@ -58,12 +58,12 @@ pub fn command_kind(name: &str) -> CommandKind {
         return CommandKind::Greek(letter.name);
     }
     match name {
-        "," | ";" | ":" | "!" | ">" | " " | "\\" | "displaystyle" | "textstyle" | "scriptstyle"
+        "," | ";" | ":" | "!" | ">" | " " | "displaystyle" | "textstyle" | "scriptstyle"
         | "limits" | "nolimits" | "nonumber" | "notag" | "big" | "Big" | "bigg" | "Bigg"
         | "bigl" | "bigr" | "Bigl" | "Bigr" | "biggl" | "biggr" | "Biggl" | "Biggr" | "middle"
         | "thinspace" | "medspace" | "thickspace" | "negthinspace" | "strut" | "mathstrut"
         | "allowbreak" | "nobreak" | "par" | "hfill" | "rm" | "it" | "mathord" | "mathbin"
-        | "mathrel" | "mathopen" | "mathclose" | "relax" | "cr" | "qedhere" => Ignored(0),
+        | "mathrel" | "mathopen" | "mathclose" | "relax" | "qedhere" => Ignored(0),
         "label" | "tag" | "hspace" | "vspace" | "phantom" | "vphantom" | "hphantom" => Ignored(1),
         "quad" | "qquad" => Sign("quad"),
         "cdot" | "bullet" => Sign("cdot"),

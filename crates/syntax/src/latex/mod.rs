@@ -23,6 +23,7 @@ mod operand;
 mod reader;
 mod reading;
 mod statement;
+mod suspects;
 pub mod token;
 
 pub use commands::{CommandKind, command_kind};

@@ -26,7 +26,15 @@ impl Reader<'_> {
             Nucleus::Big(kind) => self.big(line, kind)?,
             Nucleus::Fraction(over, under) => {
                 if let Some(term) = self.derivative(line, over, under)? {
-                    self.factorials(line, term)
+                    // Of what is written behind the quotient nobody knows whether it is the derivative's or its operand's.
+                    if !item.is_bare() {
+                        return Err(LatexError::new(
+                            place,
+                            "a quotient of differentials has a script: is it that of the derivative?",
+                        )
+                        .with_help("put the derivative in brackets"));
+                    }
+                    term
                 } else {
                     line.next += 1;
                     let (above, below) = (self.whole(over, place)?, self.whole(under, place)?);
@@ -42,7 +50,7 @@ impl Reader<'_> {
                 self.scripted(item, term)?
             }
         };
-        Ok(self.factorials(line, term))
+        self.factorials(line, term)
     }
 
     /// A letter under dots: a dot is a derivative by the function's own variable.
@@ -78,16 +86,22 @@ impl Reader<'_> {
         Ok(term)
     }
 
-    /// Takes factorial signs.
-    fn factorials(&mut self, line: &mut Line<'_>, mut term: Term) -> Term {
-        while line.sign("!") {
-            let place = Place {
-                end: term.expr.place.end + 1,
-                ..term.expr.place
-            };
-            term = Term::call("factorial", vec![term.expr], place, Shape::Number);
+    /// Takes a factorial sign, with the exponent that may stand behind it.
+    fn factorials(&mut self, line: &mut Line<'_>, term: Term) -> ReadTerm {
+        let Some(sign) = line.peek().filter(|item| item.is_sign("!")) else {
+            return Ok(term);
+        };
+        line.next += 1;
+        let place = term.expr.place.to(sign.place);
+        let term = Term::call("factorial", vec![term.expr], place, Shape::Number);
+        if line.peek().is_some_and(|next| next.is_sign("!")) {
+            let error = LatexError::new(
+                place,
+                "two signs `!` may be a double factorial, or the factorial of one",
+            );
+            return Err(error.with_help("write `(n!)!`, or the product"));
         }
-        term
+        self.scripted(sign, term)
     }
 
     /// Reads an item that is complete in itself, without its scripts.

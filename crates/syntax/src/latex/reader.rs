@@ -133,9 +133,10 @@ impl<'i> Line<'i> {
         }
     }
 
-    /// Takes the next item if it is this bare sign.
+    /// Takes the next item if it is this bare sign; one with scripts is left, and is an error where nothing takes it.
     pub fn sign(&mut self, sign: &str) -> bool {
-        let found = self.peek().is_some_and(|item| item.is_sign(sign));
+        let next = self.peek();
+        let found = next.is_some_and(|item| item.is_sign(sign) && item.is_bare());
         self.next += usize::from(found);
         found
     }

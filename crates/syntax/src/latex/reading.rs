@@ -6,6 +6,7 @@ use super::layout::{layout, without_final_punctuation};
 use super::names::LatexNames;
 use super::reader::{LatexDoubt, Reader};
 use super::statement::{LatexCondition, LatexStatement};
+use super::suspects::no_suspects;
 use crate::formula::{Expr, Place};
 use std::collections::BTreeMap;
 
@@ -64,6 +65,7 @@ pub fn read_items(
             format!("the formula has more than {MAX_ITEMS} signs"),
         ));
     }
+    no_suspects(items)?;
     let read =
         |chosen: BTreeMap<String, usize>| -> Result<(LatexStatement, Vec<LatexDoubt>), LatexError> {
             let mut reader = Reader::new(names, chosen);

@@ -252,3 +252,85 @@ fn the_letter_e_of_one_statement_is_the_exponential_function_or_asked_for() {
         );
     }
 }
+
+#[test]
+fn what_stands_behind_a_factorial_belongs_to_it_or_is_refused() {
+    is("n!^2 = m", "", "factorial(n)^2 == m");
+    is(
+        r"\frac{(2m)!}{m!^2} = \binom{2m}{m}",
+        "",
+        "factorial(2*m)/factorial(m)^2 == binom(2*m, m)",
+    );
+    is("m!^{-1} = 1", "", "factorial(m)^(-1) == 1");
+    is("(n!)! = n!", "", "factorial(factorial(n)) == factorial(n)");
+    is_refused("n!! = 3", "", "n!", "double factorial");
+    is_refused("n!_2 = 3", "", "2", "subscript");
+    is_refused("n!' = 3", "", "!'", "prime");
+}
+
+#[test]
+fn what_stands_behind_a_quotient_of_differentials_is_refused() {
+    let setting = "f: function 1";
+    is(r"\frac{d f(x)}{dx} = 1", setting, "D(f(x), x) == 1");
+    is(
+        r"\left(\frac{d f(x)}{dx}\right)^2 = 1",
+        setting,
+        "D(f(x), x)^2 == 1",
+    );
+    for print in [
+        r"\frac{d f(x)}{dx}^2 = 1",
+        r"\frac{d}{dx}^2 f(x) = 1",
+        r"\frac{d}{dx}_2 f(x) = 1",
+    ] {
+        let error = read(print, setting).err();
+        let error = error.unwrap_or_else(|| unreachable!("{print} is read"));
+        assert!(error.message.contains("script"), "{print}: {error}");
+    }
+    is_refused(r"\sum'_{i=0}^n x^i = 1", "", r"\sum'_{i=0}^n", "prime");
+}
+
+#[test]
+fn a_row_goes_on_behind_a_sign_and_two_rows_with_relations_are_two_formulas() {
+    let two = "x == y and a == b";
+    is(r"\begin{aligned} x &= y \\ a &= b \end{aligned}", "", two);
+    is(r"\begin{aligned} x &= y, \\ a &= b \end{aligned}", "", two);
+    is(r"x = y \\ a = b", "", two);
+    let one = "x == y + a - b";
+    is(
+        r"\begin{split} x &= y \\ &\quad + a - b \end{split}",
+        "",
+        one,
+    );
+    is(r"\begin{split} x = {}& y + \\ & a - b \end{split}", "", one);
+    is(
+        r"\begin{split} x = {}& y \\ & {} + a - b \end{split}",
+        "",
+        one,
+    );
+    is(
+        r"\begin{split} x &= y \\ &= a \end{split}",
+        "",
+        "x == y == a",
+    );
+    let product = r"\begin{split} x &= y \\ & a \end{split}";
+    is_refused(product, "", "a", "a new row");
+}
+
+#[test]
+fn a_print_that_reads_as_something_else_is_refused() {
+    is_refused("y = sin(x)", "s, i in (-inf, inf)", "s", "product");
+    is(r"y = \sin(x)", "", "y == sin(x)");
+    is_refused(r"y = 2\tfrac12", "", r"\tfrac12", "mixed number");
+    is(r"y = 2 \cdot \tfrac12", "", "y == 2*(1/2)");
+    is(r"y = 2\frac{x}{2}", "", "y == 2*(x/2)");
+    is_refused("y = 10{,}5", "", "10{,}5", "thousands");
+    is_refused(r"e^{ix} = 1", "i in (-inf, inf)", "e^{ix}", "imaginary");
+    is(
+        r"\sum_{i=0}^n e^{ix} = 1",
+        "",
+        "sum(i, 0, n, exp(i*x)) == 1",
+    );
+    is_refused(r"\int_0^1 dx\, x = 1", "", r"\int_0^1", "differential");
+    is(r"\int_0^1 x\,dx = 1", "", "integral(x, x, 0, 1) == 1");
+    is(r"\int_0^1 dx = 1", "", "integral(1, x, 0, 1) == 1");
+}

@@ -4,7 +4,8 @@ use super::super::commands::{CommandKind, command_kind};
 use super::super::error::LatexError;
 use super::super::item::{Nucleus, TexFace, TexItem, nucleus_signature};
 use super::super::token::{PlacedTex, TexToken};
-use super::{Layout, Listed, MAX_LAYOUT_DEPTH, Stop};
+use super::rows::joined;
+use super::{Layout, Listed, MAX_LAYOUT_DEPTH, Stop, is_end_of_row};
 use crate::formula::Place;
 
 impl Layout<'_> {
@@ -267,7 +268,7 @@ impl Layout<'_> {
             }
             match self.peek().map(|token| token.token.clone()) {
                 Some(TexToken::Character('&')) => self.next += 1,
-                Some(TexToken::Command(sign)) if sign == "\\" || sign == "cr" => {
+                Some(TexToken::Command(sign)) if is_end_of_row(&sign) => {
                     self.next += 1;
                     self.option()?;
                     rows.push(vec![]);
@@ -291,7 +292,7 @@ impl Layout<'_> {
             rows.pop();
         }
         if only_arranges {
-            list.extend(rows.into_iter().flatten().flatten());
+            list.extend(joined(rows.into_iter().map(|row| row.concat()).collect())?);
             return Ok(());
         }
         self.push(list, Nucleus::Grid(name, rows), place);

@@ -6,6 +6,7 @@
 mod brackets;
 mod control_sequence;
 mod letters;
+mod rows;
 
 pub use letters::{is_letter, one_form_of_each_letter};
 
@@ -16,6 +17,7 @@ use crate::formula::Place;
 use brackets::pairs_of_bars;
 use control_sequence::faced;
 use letters::character;
+use rows::{END_OF_ROW, without_ends_of_rows};
 
 /// The largest depth of brackets, scripts and arguments.
 const MAX_LAYOUT_DEPTH: usize = 60;
@@ -132,7 +134,9 @@ impl Layout<'_> {
             Stop::Right => command == Some("right"),
             Stop::Bar => operand && (token.is('|') || matches!(command, Some("vert" | "mid"))),
             Stop::DoubleBar => operand && matches!(command, Some("|" | "Vert")),
-            Stop::Cell => token.is('&') || matches!(command, Some("\\" | "end" | "cr")),
+            Stop::Cell => {
+                token.is('&') || command.is_some_and(|name| name == "end" || is_end_of_row(name))
+            }
             Stop::Option => token.is(']'),
         }
     }
@@ -171,7 +175,7 @@ impl Layout<'_> {
         }
         self.depth -= 1;
         pairs_of_bars(&list)?;
-        Ok(list)
+        without_ends_of_rows(list)
     }
 
     /// Lays out the next item, or scripts of the last one.
@@ -206,7 +210,7 @@ impl Layout<'_> {
                         last.primes += 1;
                         last.place = last.place.to(place);
                     }
-                    '0'..='9' => self.number(list, sign, place),
+                    '0'..='9' => self.number(list, sign, place)?,
                     '(' | '[' => {
                         let inner = self.list(Stop::Bracket)?;
                         let close = self.closing(place, sign)?;
@@ -223,6 +227,12 @@ impl Layout<'_> {
                 }
                 Ok(())
             }
+            TexToken::Command(name) if is_end_of_row(&name) => {
+                self.next += 1;
+                self.option()?;
+                list.push(TexItem::new(Nucleus::Sign(END_OF_ROW.to_owned()), place));
+                Ok(())
+            }
             TexToken::Command(name) => {
                 self.next += 1;
                 self.command(list, face, &name, place)
@@ -231,7 +241,12 @@ impl Layout<'_> {
     }
 
     /// Adds digits to a number, or begins one.
-    fn number(&mut self, list: &mut Vec<TexItem>, sign: char, place: Place) {
+    fn number(
+        &mut self,
+        list: &mut Vec<TexItem>,
+        sign: char,
+        place: Place,
+    ) -> Result<(), LatexError> {
         let mut digits = sign.to_string();
         let mut end = place;
         while let Some(token) = self.peek() {
@@ -254,7 +269,21 @@ impl Layout<'_> {
             end = token.place;
             self.next += 1;
         }
+        let rest = self.tokens.get(self.next..).unwrap_or(&[]);
+        if let [open, comma, close, digit, ..] = rest
+            && open.is('{')
+            && comma.is(',')
+            && close.is('}')
+            && ('0'..='9').any(|sign| digit.is(sign))
+        {
+            let error = LatexError::new(
+                place.to(digit.place),
+                "this comma may mark decimals, or thousands",
+            );
+            return Err(error.with_help("write a decimal point, or no comma"));
+        }
         list.push(TexItem::new(Nucleus::Number(digits), place.to(end)));
+        Ok(())
     }
 
     /// Pushes an item that ends before the next token.
@@ -313,6 +342,11 @@ impl Layout<'_> {
         *slot = Some(inner);
         Ok(())
     }
+}
+
+/// Whether a control sequence ends a row.
+fn is_end_of_row(name: &str) -> bool {
+    matches!(name, "\\" | "\\*" | "cr" | "newline")
 }
 
 /// Whether an item asks for an operand behind it.
