@@ -213,7 +213,7 @@ fn strips(cover: &SurfaceCover) -> String {
     let fewer = if cover.fewest {
         "with one less along these curves no cover was found"
     } else {
-        "whether fewer would do was not tried"
+        "whether fewer would do was not searched to the end"
     };
     let (many, covers) = match cover.strips.len() {
         1 => ("one strip".to_owned(), "covers"),

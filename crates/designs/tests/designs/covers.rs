@@ -98,6 +98,28 @@ fn strips_of_a_saddle_meet_along_edges_of_one_length() {
 }
 
 #[test]
+fn a_cap_is_covered_around_its_pole_and_its_first_part_is_a_cone() {
+    let cap = "cap = { net = [[[0, 0, 600], [0, 0, 600], [0, 0, 600]], [[1000, -300, 600], [1040, 0, 600], [1000, 300, 600]], [[2000, -600, 0], [2100, 0, 0], [2000, 600, 0]]] }";
+    let strips = |along: &str| {
+        format!(
+            "[surfaces]\n{cap}\n[patches.cap]\nstrips = {{ surface = \"cap\", along = \"{along}\", within = 20 }}\n"
+        )
+    };
+    let made = read("x.toml", &strips("v")).unwrap_or_else(|e| panic!("{e:?}"));
+    let report = inspect(&made).unwrap();
+    assert!(report.missed.is_empty(), "{:?}", report.missed);
+    let text = table(&report);
+    assert!(text.contains("a fan from the point of curve 1"), "{text}");
+    assert!(unroll(&made, &Demand::default()).is_ok());
+    let refused = read("x.toml", &strips("u")).unwrap_err();
+    let refused = format!("{refused:?}");
+    assert!(
+        refused.contains("the point (0, 0, 600)") && refused.contains("is a cone"),
+        "{refused}"
+    );
+}
+
+#[test]
 fn what_cannot_be_covered_is_refused_with_its_place() {
     let wrong = |entry: &str| {
         let text = format!(

@@ -9,6 +9,8 @@ use torse_designs::load;
 use torse_designs::openings::openings;
 use torse_designs::unroll::{Demand, Purpose, drawing, parts, unroll};
 use torse_exchange::dxf;
+use torse_geometry::Surface;
+use torse_geometry::vector::{norm, sub};
 
 fn path(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../designs/workshop");
@@ -139,6 +141,60 @@ fn a_branch_pipe_with_its_saddle_goes_the_whole_way_and_fits_its_hole() {
     );
 }
 
+/// The whole way of a surface in strips, and the proved distances beside those of samples: of points of strips from the surface
+/// between their edges, found on a fine grid.
+fn strips_go_the_whole_way(name: &str, count: usize) {
+    assert_eq!(whole_way(name), count);
+    let design = load(&path(name)).unwrap();
+    let cover = &design.covers[0];
+    assert!(cover.fewest && cover.strips.len() == count);
+    let surface = &design.surfaces[0].parts[0];
+    for strip in &cover.strips {
+        assert!(strip.distance <= cover.within);
+        let mut far = 0.0_f64;
+        for patch in &strip.patches {
+            let sheet = &design.patches[*patch].sheet;
+            for (u, v) in (0..=8).flat_map(|i| (0..=4).map(move |j| (i, j))) {
+                let point = sheet.point(f64::from(u) / 8.0, f64::from(v) / 4.0).unwrap();
+                let mut nearest = f64::INFINITY;
+                for (i, j) in (0..=400).flat_map(|i| (0..=24).map(move |j| (i, j))) {
+                    let along = f64::from(i) / 400.0;
+                    let [from, to] = strip.range;
+                    let across = from + (to - from) * f64::from(j) / 24.0;
+                    let at = if cover.along == "u" {
+                        [along, across]
+                    } else {
+                        [across, along]
+                    };
+                    nearest =
+                        nearest.min(norm(&sub(&surface.point(&at[0], &at[1]).unwrap(), &point)));
+                }
+                far = far.max(nearest);
+            }
+        }
+        // A grid is a little farther away than the surface, by half of its diagonal at most.
+        assert!(
+            far > 0.3 * strip.distance && far < strip.distance + 8.0,
+            "{name}: {far} {strip:?}"
+        );
+    }
+}
+
+#[test]
+fn a_dome_in_strips_goes_the_whole_way() {
+    strips_go_the_whole_way("dome-strips", 5);
+}
+
+#[test]
+fn a_hull_in_strakes_goes_the_whole_way() {
+    strips_go_the_whole_way("hull-strips", 6);
+}
+
+#[test]
+fn a_saddle_in_strips_goes_the_whole_way() {
+    strips_go_the_whole_way("saddle-strips", 4);
+}
+
 #[test]
 fn every_design_of_the_workshop_is_tested() {
     let folder = path("x").parent().unwrap().to_owned();
@@ -147,5 +203,5 @@ fn every_design_of_the_workshop_is_tested() {
         let path = file.as_ref().unwrap().path();
         path.extension().is_some_and(|e| e == "toml")
     });
-    assert_eq!(designs.count(), 6);
+    assert_eq!(designs.count(), 9);
 }

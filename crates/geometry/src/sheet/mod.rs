@@ -114,6 +114,7 @@ mod split;
 mod strips;
 mod surface;
 mod swept;
+mod tipped;
 mod trace;
 
 pub use crate::basis::BasisShape;

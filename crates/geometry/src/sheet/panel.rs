@@ -2,6 +2,7 @@
 
 use super::pieces::{Pieces, corner};
 use super::plane_triangles::plane_triangles;
+use super::tipped::tipped_panel;
 use super::{PiecewiseRail, Point, Rail, Sheet, SweptEdge};
 use crate::developable::{
     Connections, Landscape, NODE_RADIUS, Node, ParameterBox, Step, StepKind, Way, all_branches,
@@ -422,7 +423,8 @@ impl Landscape for PanelRails {
 impl Sheet {
     /// Returns the whole panels between two rails: rows of developable pieces from the start of both to the end of
     /// both, with fans where no developable touches both. If there is none, or a better one, the second rail is passed
-    /// the other way. Between closed rails the panels are closed.
+    /// the other way. Between closed rails the panels are closed. Rails that start or end in one point have the panel of
+    /// rulings between equal parameters, where that is exactly a developable.
     ///
     /// What is not found is not always proved to be missing: [`Panels::None`] is, [`Panels::Undecided`] is not.
     ///
@@ -440,6 +442,9 @@ impl Sheet {
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn panels(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<Panels> {
+        if let Some(panel) = tipped_panel(first, second)? {
+            return Ok(Panels::Found(vec![panel]));
+        }
         let along = PanelRails::new(first, second)?;
         let own = ways(&along);
         // The other direction is asked where this one has none, or one that is fans for the most part.

@@ -246,3 +246,137 @@ fn a_saddle_is_covered_along_its_lines_of_curvature() {
         );
     }
 }
+
+/// Compares the bounds of a cover with samples, both ways.
+fn assert_bounds_hold(surface: &Free, cover: &StripCover) {
+    for strip in &cover.strips {
+        let far = sampled(surface, strip);
+        assert!(far <= strip.distance * (1.0 + 1e-9), "{far} {strip:?}");
+        let points = grid(surface, strip.range);
+        let back = points
+            .iter()
+            .step_by(11)
+            .map(|(_, point)| from_strip(strip, point));
+        let back = back.fold(0.0, f64::max);
+        assert!(back <= strip.distance * (1.0 + 1e-9), "{back} {strip:?}");
+    }
+}
+
+/// The dome of the manual, with a corner in which its first curve is asymptotic.
+fn pinched() -> Free {
+    net(&[
+        &[[0., 0., 0.], [0., 1000., 400.], [0., 2000., 0.]],
+        &[
+            [1000., 0., 400.],
+            [1000., 1000., 800.],
+            [1000., 2000., 400.],
+        ],
+        &[[2000., 0., 0.], [2000., 1e-12, 400.], [2000., 2000., 0.]],
+    ])
+}
+
+#[test]
+fn beside_an_asymptotic_corner_few_strips_are_found_soon_and_their_bounds_hold() {
+    let cover = StripCover::new(&pinched(), StripDirection::U, 200.0).unwrap();
+    assert!(cover.fewest && cover.strips.len() == 2, "{cover:?}");
+    assert!(cover.distance() <= 200.0);
+    assert_bounds_hold(&pinched(), &cover);
+}
+
+#[test]
+fn a_place_that_fails_at_every_width_ends_the_search_and_is_told() {
+    // The first curve stands still at its start.
+    let still = net(&[
+        &[[0., 0., 0.], [0., 1000., 400.], [0., 2000., 0.]],
+        &[[0., 0., 0.], [1000., 1000., 800.], [1000., 2000., 400.]],
+        &[[2000., 0., 0.], [2000., 1000., 400.], [2000., 2000., 0.]],
+    ]);
+    match StripCover::new(&still, StripDirection::U, 20.0) {
+        Err(error @ StripError::Narrow { .. }) => {
+            let [from, to] = error.range().unwrap();
+            assert!(from == 0.0 && to < 0.1, "{error}");
+            let text = error.to_string();
+            assert!(text.contains("no whole panel") && text.contains("not searched to the end"));
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+/// A cap over a part of a disc: all curves along `u` start in its top, with one profile or with different ones.
+fn cap(similar: bool) -> Free {
+    let middle = if similar { 1050. } else { 1040. };
+    net(&[
+        &[[0., 0., 600.], [0., 0., 600.], [0., 0., 600.]],
+        &[
+            [1000., -300., 600.],
+            [middle, 0., 600.],
+            [1000., 300., 600.],
+        ],
+        &[[2000., -600., 0.], [2100., 0., 0.], [2000., 600., 0.]],
+    ])
+}
+
+#[test]
+fn around_a_pole_strips_begin_with_a_cone_and_along_its_meridians_the_tip_is_told() {
+    let cover = StripCover::new(&cap(false), StripDirection::V, 5.0).unwrap();
+    assert!(cover.fewest && cover.distance() <= 5.0);
+    let kinds: Vec<PanelKind> = cover.strips[0]
+        .panel
+        .pieces
+        .iter()
+        .map(|p| p.kind)
+        .collect();
+    assert_eq!(kinds, [PanelKind::Fan(1)]);
+    assert!(
+        cover
+            .fold_angles()
+            .unwrap()
+            .iter()
+            .all(|[a, b]| 0.0 < *a && a <= b && *b < 0.5)
+    );
+    // The surface with its parameters exchanged, as the strips take it.
+    let rows: Vec<Vec<Point>> = (0..3)
+        .map(|l| cap(false).rows().map(|row| row[l]).collect())
+        .collect();
+    let rings = net(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>());
+    assert_bounds_hold(&rings, &cover);
+    let refused = StripCover::new(&cap(false), StripDirection::U, 5.0).unwrap_err();
+    assert_eq!(
+        refused,
+        StripError::Tip {
+            at: 0.0,
+            point: [0.0, 0.0, 600.0]
+        }
+    );
+}
+
+#[test]
+fn a_cap_whose_meridians_have_one_profile_is_covered_by_gores_of_cylinders() {
+    let cover = StripCover::new(&cap(true), StripDirection::U, 0.5).unwrap();
+    assert!(
+        cover.fewest && cover.strips.len() > 2,
+        "{}",
+        cover.strips.len()
+    );
+    for strip in &cover.strips {
+        let [piece] = strip.panel.pieces.as_slice() else {
+            panic!("{strip:?}")
+        };
+        // A tip has no normal of its own.
+        let checked = piece.sheet.part(0.001, 1.0).unwrap().inspect(32).unwrap();
+        assert!(checked.certificate.is_regular());
+    }
+    assert_bounds_hold(&cap(true), &cover);
+}
+
+#[test]
+fn a_gore_of_a_cylinder_is_one_strip_from_its_tip() {
+    let gore = net(&[
+        &[[0., 0., 0.], [0., 0., 0.]],
+        &[[1000., -300., 200.], [1000., 300., 200.]],
+        &[[2000., -600., 0.], [2000., 600., 0.]],
+    ]);
+    let cover = StripCover::new(&gore, StripDirection::U, 5.0).unwrap();
+    assert_eq!(cover.strips.len(), 1);
+    assert!(cover.distance() < 1e-9 && cover.fewest);
+}

@@ -359,3 +359,73 @@ fn tubes_between_random_loops_close() {
     println!("{closed} closed, {undecided} undecided");
     assert!(undecided <= 1, "{closed} closed, {undecided} undecided");
 }
+
+#[test]
+fn rails_that_meet_in_a_point_have_the_panel_of_equal_parameters_where_it_is_developable() {
+    // Edges of a cylinder with slanting rulings, a gore at both ends; and a fan of it, a tip at one.
+    let pairs = [
+        [
+            bezier(&[
+                [0., 0., 0.],
+                [30., 40., 10.],
+                [70., 40., 10.],
+                [100., 0., 0.],
+            ]),
+            bezier(&[
+                [0., 0., 0.],
+                [30., -10., 50.],
+                [70., -10., 50.],
+                [100., 0., 0.],
+            ]),
+        ],
+        [
+            bezier(&[[0., 0., 0.], [50., 0., 0.], [100., 0., -40.]]),
+            bezier(&[[0., 0., 0.], [50., 50., 0.], [100., 100., -40.]]),
+        ],
+    ];
+    for [first, second] in pairs {
+        let panels = found(&first, &second);
+        let [panel] = panels.as_slice() else {
+            panic!("{panels:?}")
+        };
+        let [piece] = panel.pieces.as_slice() else {
+            panic!("{panel:?}")
+        };
+        assert_eq!(piece.ranges, [[0.0, 1.0]; 2]);
+        // A tip has no normal of its own.
+        let inside = piece.sheet.part(0.001, 0.999).unwrap();
+        let checked = inside.inspect(64).unwrap();
+        assert!(
+            checked.certificate.is_regular() && checked.certificate.is_developable_within(1e-12)
+        );
+    }
+    // One control point aside: no developable between equal parameters.
+    let first = bezier(&[
+        [0., 0., 300.],
+        [500., 0., -100.],
+        [2500., 0., -100.],
+        [3000., 0., 300.],
+    ]);
+    let second = bezier(&[
+        [0., 0., 300.],
+        [700., 500., 150.],
+        [2300., 500., 150.],
+        [3000., 0., 300.],
+    ]);
+    let answer = Sheet::panels(&first, &second).unwrap();
+    assert!(matches!(answer, Panels::Undecided { .. }), "{answer:?}");
+    // Rails that cross: the sheet would be on both sides.
+    let up = bezier(&[
+        [0., 0., 0.],
+        [50., 30., 0.],
+        [100., -30., 0.],
+        [150., 10., 0.],
+    ]);
+    let down = bezier(&[
+        [0., 0., 0.],
+        [50., -30., 0.],
+        [100., 30., 0.],
+        [150., -10., 0.],
+    ]);
+    assert!(Sheet::panels(&up, &down).is_err());
+}

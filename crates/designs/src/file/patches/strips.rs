@@ -86,17 +86,35 @@ fn complain(
             );
             reader.complain(along, message, &help);
         }
+        StripError::Tip { .. } => {
+            let help = format!(
+                "`along = \"{other}\"`: the strip around a point is a cone; or a surface that ends before it"
+            );
+            reader.complain(along, error.to_string(), &help);
+        }
+        _ => reader.complain(span, error.to_string(), &remedy(error, other)),
+    }
+}
+
+/// Returns what may help against the failure of a strip.
+fn remedy(error: &StripError, other: &str) -> String {
+    match error {
         StripError::Unbounded { .. } => {
-            let help = "bounds are found for polynomial surfaces, those without shape parameters";
-            reader.complain(span, error.to_string(), help);
+            "bounds are found for polynomial surfaces, those without shape parameters".to_owned()
+        }
+        StripError::Narrow { reason, .. } if matches!(**reason, StripError::Unbounded { .. }) => {
+            remedy(reason, other)
+        }
+        StripError::Narrow { .. } => {
+            format!("`along = \"{other}\"`, or a surface without the part between these curves")
         }
         StripError::NoPanel { .. } => {
-            let help = format!("`along = \"{other}\"`, or a smaller `within`");
-            reader.complain(span, error.to_string(), &help);
+            format!("`along = \"{other}\"`, or a surface in parts")
         }
-        _ => {
-            reader.complain(span, error.to_string(), "");
+        StripError::TooFar { .. } | StripError::Spent { .. } => {
+            format!("a larger `within`, `along = \"{other}\"`, or a surface in parts")
         }
+        _ => String::new(),
     }
 }
 

@@ -1,23 +1,10 @@
-//! Covers: how many strips, and where their edges are.
+//! Covers of surfaces by strips.
 
-use super::distance::StripDistance;
 use super::folds;
-use super::spacing::StripSpacing;
+use super::search::CoverSearch;
 use super::strip::{StripDirection, StripError, SurfaceStrip, Tensor};
-use crate::basis::Basis;
-use crate::error::{self, GeometryError};
-use crate::sheet::{Panel, Panels, Rail, Sheet};
+use crate::error::GeometryError;
 use crate::surface::TensorSurface;
-use crate::vector::blended;
-
-/// The most strips of a cover.
-pub const MAX_STRIPS: usize = 128;
-/// The most strips made in one search, discarded ones included.
-const MAX_MADE: usize = 768;
-/// How often the curves are moved for one number of strips.
-const ROUNDS: usize = 3;
-/// Bounds count as equal if the largest is at most this multiple of their root mean square.
-const EQUAL: f64 = 1.05;
 
 /// Strips in a row that cover a surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,8 +21,10 @@ impl StripCover {
     /// panels might do with fewer.
     ///
     /// # Errors
-    /// [`StripError::Asymptotic`] where the curves have no rulings across, the other [`StripError`]s where panels or
-    /// their bounds are not found, [`GeometryError::OutOfRange`] for a distance that is not positive.
+    /// [`StripError::Asymptotic`] where the curves have no rulings across, [`StripError::Tip`] where they all meet in a
+    /// point, [`StripError::Narrow`] where a place fails however narrow strips are, [`StripError::Spent`] where the work of
+    /// a search is done, the other [`StripError`]s where panels or their bounds are not found,
+    /// [`GeometryError::OutOfRange`] for a distance that is not positive.
     ///
     /// ```
     /// use torse_geometry::prelude::*;
@@ -64,15 +53,7 @@ impl StripCover {
             StripDirection::U => surface.clone(),
             StripDirection::V => transposed(surface)?,
         };
-        let cover = StripSpacing::new(&turned).and_then(|spacing| {
-            CoverSearch {
-                surface: &turned,
-                within,
-                spacing,
-                made: 0,
-            }
-            .fewest()
-        });
+        let cover = CoverSearch::new(&turned, within).and_then(CoverSearch::fewest);
         cover.map_err(|error| match (along, error) {
             (StripDirection::V, StripError::Asymptotic { at: [u, v], point }) => {
                 StripError::Asymptotic { at: [v, u], point }
@@ -84,7 +65,7 @@ impl StripCover {
     /// Returns the largest bound.
     #[must_use]
     pub fn distance(&self) -> f64 {
-        farthest(&self.strips)
+        super::search::farthest(&self.strips)
     }
 
     /// Returns the least and the greatest angle, in radians, between the tangent planes of neighbours along the edge
@@ -110,143 +91,4 @@ fn transposed(surface: &Tensor) -> Result<Tensor, GeometryError> {
             .collect()
     };
     TensorSurface::new(*v, *u, (0..=n).map(column).collect())
-}
-
-/// Returns the curve of this `v`.
-fn curve(surface: &Tensor, v: f64) -> Result<Rail, GeometryError> {
-    let (shape, across) = surface.bases();
-    let (_, n) = surface.degrees();
-    let row = across.row(n, &v)?;
-    let points = surface.rows().map(|points| blended(&row, points));
-    Rail::new(*shape, &points.collect::<Result<Vec<_>, _>>()?)
-}
-
-/// Returns the strips between the curves at these places.
-fn strips(surface: &Tensor, places: &[f64]) -> Result<Vec<SurfaceStrip>, StripError> {
-    let curves = places.iter().map(|v| curve(surface, *v));
-    let curves = curves.collect::<Result<Vec<_>, _>>()?;
-    let bounded = StripDistance::new(surface)?;
-    let pairs = curves.windows(2).zip(places.windows(2));
-    let strip = |(rails, range): (&[Rail], &[f64])| {
-        let range = [range[0], range[1]];
-        let found = Sheet::panels(&rails[0].clone().into(), &rails[1].clone().into())?;
-        let usable = |panel: &Panel| !panel.turned && !panel.closed && panel.folds == 0;
-        let panel = match found {
-            Panels::Found(panels) => panels.into_iter().find(usable),
-            Panels::None { .. } => {
-                return Err(StripError::NoPanel {
-                    range,
-                    proved: true,
-                });
-            }
-            Panels::Undecided { .. } => None,
-        };
-        let missing = StripError::NoPanel {
-            range,
-            proved: false,
-        };
-        let panel = panel.ok_or(missing)?;
-        let distance = bounded.bound(range, &panel)?;
-        let distance = distance.ok_or(StripError::Unbounded { range })?;
-        Ok(SurfaceStrip {
-            range,
-            panel,
-            distance,
-        })
-    };
-    pairs.map(strip).collect()
-}
-
-/// What is looked for, and how much was done for it.
-struct CoverSearch<'a> {
-    surface: &'a Tensor,
-    within: f64,
-    spacing: StripSpacing,
-    /// How many strips were made.
-    made: usize,
-}
-
-impl CoverSearch<'_> {
-    /// Returns the best of some placements of so many strips, and how many strips of equal bounds would do.
-    fn placed(&mut self, count: usize) -> Result<(Vec<SurfaceStrip>, f64), StripError> {
-        let mut best: Option<(Vec<SurfaceStrip>, f64)> = None;
-        for _ in 0..ROUNDS {
-            self.made += count;
-            let made = strips(self.surface, &self.spacing.places(count))?;
-            // Bounds grow with the square of the width.
-            let roots = made.iter().map(|s| (s.distance / self.within).sqrt());
-            let wanted: f64 = roots.sum();
-            let mean = wanted / error::count(count);
-            let even = farthest(&made) <= EQUAL * mean * mean * self.within;
-            self.spacing.correct(&made);
-            let better = |(known, _): &(Vec<SurfaceStrip>, f64)| farthest(&made) < farthest(known);
-            if best.as_ref().is_none_or(better) {
-                best = Some((made, wanted));
-            }
-            // Beyond that no placement helps.
-            if even || mean > 1.0 || self.made >= MAX_MADE {
-                break;
-            }
-        }
-        best.ok_or(StripError::TooFar {
-            count,
-            distance: f64::INFINITY,
-            within: self.within,
-        })
-    }
-
-    /// Returns the smallest number of strips that come within the distance, with one less that does not.
-    fn fewest(&mut self) -> Result<StripCover, StripError> {
-        let mut count = self.spacing.count(self.within).clamp(1, MAX_STRIPS);
-        // The largest number that failed.
-        let mut failing = 0;
-        let mut found: Option<Vec<SurfaceStrip>> = None;
-        let mut last = StripError::TooFar {
-            count,
-            distance: f64::INFINITY,
-            within: self.within,
-        };
-        while self.made < MAX_MADE {
-            let most = found.as_ref().map_or(MAX_STRIPS, |strips| strips.len() - 1);
-            if failing >= most {
-                break;
-            }
-            count = count.clamp(failing + 1, most);
-            match self.placed(count) {
-                Ok((made, _)) if farthest(&made) <= self.within => {
-                    found = Some(made);
-                    count -= 1;
-                }
-                Ok((made, wanted)) => {
-                    failing = count;
-                    last = StripError::TooFar {
-                        count,
-                        distance: farthest(&made),
-                        within: self.within,
-                    };
-                    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-                    let next = wanted.min(1e6).ceil() as usize;
-                    count = next.max(count + 1);
-                }
-                // Narrower strips may have panels.
-                Err(error @ (StripError::NoPanel { .. } | StripError::Unbounded { .. })) => {
-                    failing = count;
-                    last = error;
-                    count += count / 2 + 1;
-                }
-                Err(error) => return Err(error),
-            }
-        }
-        let strips = found.ok_or(last)?;
-        Ok(StripCover {
-            fewest: failing + 1 == strips.len(),
-            strips,
-        })
-    }
-}
-
-/// Returns the largest bound.
-fn farthest(strips: &[SurfaceStrip]) -> f64 {
-    let bounds = strips.iter().map(|strip| strip.distance);
-    bounds.fold(0.0, f64::max)
 }

@@ -95,10 +95,11 @@ impl<'a> StripDistance<'a> {
         Ok(Self { near, surface })
     }
 
-    /// Returns a bound of the distance between a panel and the part of the surface between its edges, both ways; `None`
-    /// where none is found.
-    pub fn bound(&self, range: [f64; 2], panel: &Panel) -> Result<Option<f64>> {
+    /// Returns a bound of the distance between a panel and the part of the surface between its edges, both ways, `None`
+    /// where none is found; and on how many cells it was looked for.
+    pub fn bound(&self, range: [f64; 2], panel: &Panel) -> Result<(Option<f64>, usize)> {
         let mut bound = 0.0_f64;
+        let mut all = 0;
         // Where the pieces begin and end, with their uncertainty.
         let mut gap = 0.0_f64;
         let mut reached = [[0.0; 2]; 2];
@@ -111,9 +112,10 @@ impl<'a> StripDistance<'a> {
                 sheet: &sheet,
                 slide,
             };
-            let (Some(distance), Some([start, end])) = (self.piece(&own), ends(piece, &sheet))
-            else {
-                return Ok(None);
+            let (distance, cells) = self.piece(&own);
+            all += cells;
+            let (Some(distance), Some([start, end])) = (distance, ends(piece, &sheet)) else {
+                return Ok((None, all));
             };
             bound = bound.max(distance);
             gap = gap.max(apart(&reached, &start));
@@ -121,10 +123,10 @@ impl<'a> StripDistance<'a> {
         }
         gap = gap.max(apart(&reached, &[[1.0; 2]; 2]));
         let Some(speed) = self.speed(range) else {
-            return Ok(None);
+            return Ok((None, all));
         };
         let whole = (bound + gap * speed) * ROUNDED;
-        Ok(whole.is_finite().then_some(whole))
+        Ok((whole.is_finite().then_some(whole), all))
     }
 
     /// Returns the largest derivative along the edges between them.
@@ -137,8 +139,9 @@ impl<'a> StripDistance<'a> {
         Some(largest(all.get(1, 0)?))
     }
 
-    /// Returns a bound for one piece: the cell with the largest is halved until the bound is close.
-    fn piece(&self, own: &Sliding<'_>) -> Option<f64> {
+    /// Returns a bound for one piece, and on how many cells it was looked for: the cell with the largest is halved until
+    /// the bound is close.
+    fn piece(&self, own: &Sliding<'_>) -> (Option<f64>, usize) {
         let cell = |x: [f64; 2]| {
             let unknown = Cell {
                 range: x,
@@ -152,12 +155,16 @@ impl<'a> StripDistance<'a> {
         let mut cells: Vec<Cell> = first.map(cell).collect();
         loop {
             let order = |a: &(usize, &Cell), b: &(usize, &Cell)| a.1.bound.total_cmp(&b.1.bound);
-            let (index, worst) = cells.iter().enumerate().max_by(order)?;
+            let Some((index, worst)) = cells.iter().enumerate().max_by(order) else {
+                return (None, 0);
+            };
             let [from, to] = worst.range;
             let attained = cells.iter().fold(0.0_f64, |m, c| m.max(c.attained));
             let done = worst.bound <= CLOSE * attained || cells.len() >= MAX_CELLS;
             if done || to - from <= LEAST_CELL {
-                return worst.bound.is_finite().then_some(worst.bound);
+                let found = worst.bound.is_finite().then_some(worst.bound);
+                // Each but the first few is half of another.
+                return (found, 2 * cells.len() - STEPS);
             }
             let middle = 0.5 * (from + to);
             cells.swap_remove(index);

@@ -11,9 +11,11 @@ mod cover;
 mod distance;
 mod folds;
 mod rulings;
+mod search;
 mod slide;
 mod spacing;
 mod strip;
 
-pub use cover::{MAX_STRIPS, StripCover};
+pub use cover::StripCover;
+pub use search::MAX_STRIPS;
 pub use strip::{StripDirection, StripError, SurfaceStrip};

@@ -14,6 +14,7 @@ pub(super) fn parameters(piece: &PanelPiece, x: f64) -> Option<[f64; 2]> {
 fn on_arc(sheet: &Sheet, x: f64) -> Option<[f64; 2]> {
     match sheet.construction() {
         Construction::Connecting(patch) => patch.parameters_at(x),
+        Construction::Ruled(_) => Some([x, x]),
         Construction::Part(part) => {
             let [from, to] = part.range();
             on_arc(part.whole(), from + (to - from) * x)
@@ -30,6 +31,7 @@ pub(super) fn modelled(sheet: &Sheet<Model>, piece: &PanelPiece, x: &Model) -> O
             from + (to - from) * *x
         })),
         (PanelKind::Arc, Construction::Connecting(patch)) => patch.parameters(x),
+        (PanelKind::Arc, Construction::Ruled(_)) => Some([*x, *x]),
         (PanelKind::Arc, Construction::Part(part)) => {
             let [from, to] = part.range();
             modelled(part.whole(), piece, &(*from + (*to - *from) * *x))

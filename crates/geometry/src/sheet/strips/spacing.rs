@@ -14,6 +14,9 @@ const ACROSS: usize = 64;
 const ALONG: usize = 32;
 /// The least entry of the table, as a share of the largest.
 const LEAST: f64 = 0.05;
+/// The largest entry of the table as it is measured, as a multiple of the middle one: beside a place at which a curve is
+/// asymptotic the measured ones have no bound, and the distance of strips has.
+const MOST: f64 = 16.0;
 /// What counts as zero of the normal curvature of a curve, as a share of the largest.
 const FLAT: f64 = 1e-9;
 /// Halvings that find the place at which a curve is asymptotic.
@@ -95,6 +98,14 @@ impl StripSpacing {
                 if let Some(root) = roots.get_mut(slot) {
                     *root = root.max((value / 8.0).sqrt());
                 }
+            }
+        }
+        let mut sorted = roots.clone();
+        sorted.sort_by(f64::total_cmp);
+        let most = MOST * sorted.get(ACROSS / 2).copied().unwrap_or(0.0);
+        if most > 0.0 {
+            for root in &mut roots {
+                *root = root.min(most);
             }
         }
         Ok(Self {

@@ -56,9 +56,57 @@ pub enum StripError {
         /// What is demanded.
         within: f64,
     },
+    /// All curves meet in a point, and the panels that begin in it were not found.
+    #[error(
+        "all edges of strips meet in the point ({}, {}, {}), and no panel that begins or ends in a point was found",
+        point[0], point[1], point[2]
+    )]
+    Tip {
+        /// The parameter along the curves, 0 or 1.
+        at: f64,
+        /// The point.
+        point: Point,
+    },
+    /// A place fails however narrow strips are.
+    #[error(
+        "strips fail at the curves from {} to {} however narrow they are: of the strip there, half as wide three times, {reason}; wider and narrower ones were not searched to the end",
+        range[0], range[1]
+    )]
+    Narrow {
+        /// The parameters of the narrowest strip that was tried.
+        range: [f64; 2],
+        /// Why it fails.
+        reason: Box<Self>,
+    },
+    /// The work that a search may take is done.
+    #[error(
+        "no strips within {within} were found: the search, not to its end, took as much work as it may, at {count} strips{}",
+        last.as_ref().map_or_else(String::new, |last| format!("; before, {last}"))
+    )]
+    Spent {
+        /// The number of strips that was tried last.
+        count: usize,
+        /// What is demanded.
+        within: f64,
+        /// How the number before failed.
+        last: Option<Box<Self>>,
+    },
     /// What the surface, the curves or the panels refuse.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
+}
+
+impl StripError {
+    /// Returns the parameters of the curves of the strip that fails, where one does.
+    #[must_use]
+    pub fn range(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::NoPanel { range, .. }
+            | Self::Unbounded { range }
+            | Self::Narrow { range, .. } => Some(*range),
+            _ => None,
+        }
+    }
 }
 
 /// A strip of a cover.
