@@ -17,7 +17,9 @@ const NOTHING: f64 = 1e-80;
 /// The greatest exponent of a number that is not rational.
 const MAX_POWER: u32 = 1024;
 /// The functions of the language that take a number to a number.
-const FUNCTIONS: [&str; 3] = ["sqrt", "sin", "cos"];
+pub const FUNCTIONS: [&str; 11] = [
+    "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "radians", "degrees",
+];
 
 /// The value of a formula.
 #[derive(Debug, Clone)]
@@ -89,18 +91,24 @@ pub fn evaluate(
             let base = evaluate(left, lookup, names)?;
             let other = evaluate(right, lookup, names)?;
             let value = match operator {
-                Operator::Power => {
-                    let exponent = whole(&other)
-                        .ok_or_else(|| wrong(right.place, "another exponent", "an integer"))?;
-                    power(base, exponent)
-                }
+                Operator::Power => match (whole(&other), other) {
+                    (Some(exponent), _) => power(base, exponent),
+                    (None, FormulaValue::Exact(exponent)) => root_power(&base, &exponent),
+                    (None, FormulaValue::Near(_)) => {
+                        return Err(wrong(right.place, "another exponent", "a rational number"));
+                    }
+                },
                 _ => combined(*operator, base, other),
             };
             value.map_err(|error| Fault::exact(place, error))
         }
         Node::Call(head, arguments) => {
             let (Node::Name(name), [argument]) = (&head.node, arguments.as_slice()) else {
-                return Err(wrong(place, "a call", "sqrt, sin or cos of one number"));
+                return Err(wrong(
+                    place,
+                    "a call",
+                    "a function of one number, as sqrt or sin",
+                ));
             };
             if !FUNCTIONS.contains(&name.as_str()) {
                 return Err(unknown(name, head.place, &FUNCTIONS));
@@ -127,28 +135,53 @@ fn unknown(name: &str, place: Place, names: &[&str]) -> Fault {
 }
 
 fn applied(function: &str, argument: &FormulaValue) -> Result<FormulaValue, ExactError> {
-    if let (FormulaValue::Exact(value), true) = (argument, function != "sqrt")
-        && value.is_zero()
-    {
-        let one = Rational::from_integer(1.into());
-        return Ok(FormulaValue::Exact(if function == "sin" {
-            Rational::zero()
-        } else {
-            one
-        }));
+    let is_zero = matches!(argument, FormulaValue::Exact(value) if value.is_zero());
+    let one = Rational::from_integer(1.into());
+    match function {
+        "sin" | "tan" | "asin" | "atan" | "radians" | "degrees" if is_zero => {
+            return Ok(FormulaValue::Exact(Rational::zero()));
+        }
+        "cos" | "exp" if is_zero => return Ok(FormulaValue::Exact(one)),
+        _ => {}
+    }
+    // The root of a square is rational.
+    if let ("sqrt", Some(root)) = (function, exact_root(argument)) {
+        return Ok(FormulaValue::Exact(root));
     }
     let ball = argument.ball();
+    let number = |n: i64| Ball::from_rational(&Rational::from_integer(n.into()), BITS);
     Ok(FormulaValue::Near(match function {
-        "sqrt" => {
-            // The root of a square is rational.
-            if let Some(root) = exact_root(argument) {
-                return Ok(FormulaValue::Exact(root));
-            }
-            ball.sqrt()?
-        }
+        "sqrt" => ball.sqrt()?,
+        "exp" => ball.exp()?,
+        "log" => ball.ln()?,
         "sin" => ball.sin_cos().0,
-        _ => ball.sin_cos().1,
+        "cos" => ball.sin_cos().1,
+        "tan" => {
+            let (sine, cosine) = ball.sin_cos();
+            sine.divided_by(&cosine)?
+        }
+        "asin" => ball.asin()?,
+        "acos" => Ball::pi(BITS).divided_by(&number(2))? - ball.asin()?,
+        "atan" => ball.atan()?,
+        "radians" => (ball * Ball::pi(BITS)).divided_by(&number(180))?,
+        _ => (ball * number(180)).divided_by(&Ball::pi(BITS))?,
     }))
+}
+
+/// A power of a positive number whose exponent is no integer, and zero to a positive one.
+fn root_power(base: &FormulaValue, exponent: &Rational) -> Result<FormulaValue, ExactError> {
+    if let FormulaValue::Exact(value) = base
+        && value.is_zero()
+        && exponent.is_positive()
+    {
+        return Ok(FormulaValue::Exact(Rational::zero()));
+    }
+    let half = Rational::new(1.into(), 2.into());
+    if *exponent == half {
+        return applied("sqrt", base);
+    }
+    let logarithm = base.ball().ln()? * Ball::from_rational(exponent, BITS);
+    logarithm.exp().map(FormulaValue::Near)
 }
 
 fn exact_root(argument: &FormulaValue) -> Option<Rational> {
@@ -235,6 +268,16 @@ mod tests {
         assert_eq!(value("20*cos(pi/2)"), Some(0.0));
         assert_eq!(value("sqrt(2)^2"), Some(2.0));
         assert_eq!(value("cos(0) + sin(0)"), Some(1.0));
+        assert_eq!(value("tan(pi/8)"), Some(0.414_213_562_373_095_03));
+        assert_eq!(value("sin(radians(30))"), Some(0.5));
+        assert_eq!(value("degrees(atan(1))"), Some(45.0));
+        assert_eq!(value("degrees(asin(1/2) + acos(1/2))"), Some(90.0));
+        assert_eq!(value("tan(0) + asin(0) + radians(0)"), Some(0.0));
+        assert_eq!(value("2^0.5"), Some(2.0_f64.sqrt()));
+        assert_eq!(value("9^0.5 + 0^(1/3)"), Some(3.0));
+        assert_eq!(value("8^(-1/3)"), Some(0.5));
+        assert_eq!(value("pi^(1/2) - sqrt(pi)"), Some(0.0));
+        assert_eq!(value("log(exp(two))"), Some(2.0));
     }
 
     #[test]
@@ -246,7 +289,12 @@ mod tests {
             "1/(two - 2)",
             "[1, 2]",
             "1 < 2",
-            "tan(1)",
+            "cot(1)",
+            "tan(pi/2)",
+            "asin(2)",
+            "log(0)",
+            "(-8)^(1/3)",
+            "0^(-1/2)",
             "det(1)",
             "pi^5000",
             "10^99999999",

@@ -12,6 +12,7 @@ mod formula;
 mod imports;
 mod joints;
 pub mod keys;
+mod numerals;
 mod passages;
 mod patches;
 mod pieces;

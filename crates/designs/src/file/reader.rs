@@ -1,7 +1,7 @@
 //! Values of a design file, each with its place: what is wrong is kept, and the rest is read on.
 
-use super::formula::{FormulaValue as Number, evaluate};
-use crate::DesignUnit;
+use super::formula::{FUNCTIONS, FormulaValue as Number, evaluate};
+use super::numerals::{Numerals, decimal, with_unit};
 use crate::design::DesignPoint;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -277,6 +277,13 @@ impl Reader {
     /// Returns a number, or a formula for one.
     pub fn number(&mut self, value: Value<'_>, dimension: NumberKind) -> Option<f64> {
         let span = value.span();
+        if let (NumberKind::None, DeValue::String(text)) = (dimension, value.get_ref())
+            && with_unit(text, |name| self.constants.contains_key(name)).is_some()
+        {
+            let message = "a length with a unit where a number without one is wanted";
+            self.complain(&span, message, "");
+            return None;
+        }
         let number = self.exact(value)?;
         let number = match dimension {
             NumberKind::None => number,
@@ -293,6 +300,13 @@ impl Reader {
     /// Returns a number exactly as it stands in the file; one that is only enclosed is rounded to f64 first.
     pub fn rational(&mut self, value: Value<'_>, dimension: NumberKind) -> Option<Rational> {
         let span = value.span();
+        if let (NumberKind::None, DeValue::String(text)) = (dimension, value.get_ref())
+            && with_unit(text, |name| self.constants.contains_key(name)).is_some()
+        {
+            let message = "a length with a unit where a number without one is wanted";
+            self.complain(&span, message, "");
+            return None;
+        }
         let number = self.exact(value)?;
         let number = match dimension {
             NumberKind::None => number,
@@ -366,37 +380,9 @@ impl Reader {
 
     fn formula(&mut self, origin: &Origin, text: &str, start: usize) -> Option<Number> {
         let result = self.value_of(origin, text, 0);
-        let help = self.unit_help(text);
-        let helped = |error: Box<DerivationError>| match help {
-            Some(help) => Box::new(error.with_help(help)),
-            None => error,
-        };
         result
-            .map_err(|error| error.map(helped))
             .map_err(|error| self.mistakes.extend(error.map(|e| (start, *e))))
             .ok()
-    }
-
-    /// Returns what is said of a formula that is a number and a unit of length: `2 mm`.
-    fn unit_help(&self, text: &str) -> Option<String> {
-        let text = text.trim();
-        let value = text.trim_end_matches(char::is_alphabetic);
-        let (value, word) = (value.trim_end(), text.get(value.len()..)?);
-        let unit = DesignUnit::named(word)?;
-        if value.is_empty() || self.constants.contains_key(word) {
-            return None;
-        }
-        let mut units = DesignUnit::ALL.iter().map(|(_, unit)| *unit);
-        let own = units.find(|unit| unit.millimetres() == self.unit)?;
-        let example = if own == unit {
-            format!(": `{value}`")
-        } else {
-            String::new()
-        };
-        Some(format!(
-            "a length is a bare number in the `unit` of [design], here {}{example}",
-            own.name()
-        ))
     }
 
     /// Returns the value of a formula; `Err(None)` when it leans on a constant that was complained about.
@@ -406,18 +392,29 @@ impl Reader {
         text: &str,
         depth: usize,
     ) -> Result<Number, Option<Box<DerivationError>>> {
-        let tree =
-            parse(text).map_err(|error| Some(Box::new(DerivationError::syntax(origin, &error))))?;
+        let is_constant = |name: &str| self.constants.contains_key(name);
+        // A length with a unit is so many of the unit of the design.
+        let (text, factor) = match with_unit(text, is_constant) {
+            Some((value, unit)) => (value, Some(unit.millimetres() / self.unit.clone())),
+            None => (text, None),
+        };
+        let Numerals { text, values } = Numerals::new(text, is_constant);
+        let tree = parse(&text)
+            .map_err(|error| Some(Box::new(DerivationError::syntax(origin, &error))))?;
         let owned: Vec<String> = self.constants.keys().cloned().collect();
         let names: Vec<&str> = owned
             .iter()
             .map(String::as_str)
-            .chain(["pi", "sqrt", "sin", "cos"])
+            .chain(["pi"])
+            .chain(FUNCTIONS)
             .collect();
         let mut silent = false;
         let mut lookup = |name: &str, place: Place| -> Result<Option<Number>, Fault> {
             if depth >= MAX_DEPTH {
                 return Err(Fault::at(place, Problem::Circular { limit: MAX_DEPTH }));
+            }
+            if let Some((_, value)) = values.iter().find(|(known, _)| known == name) {
+                return Ok(Some(Number::Exact(value.clone())));
             }
             let found = self.constant(name, depth);
             silent |= matches!(found, Some(None));
@@ -428,7 +425,11 @@ impl Reader {
         if silent {
             return Err(None);
         }
-        result.map_err(|fault| Some(Box::new(explained(fault, origin))))
+        let value = result.map_err(|fault| Some(Box::new(explained(fault, origin))))?;
+        Ok(match factor {
+            Some(factor) => value.times(&factor),
+            None => value,
+        })
     }
 
     /// Returns the value of a constant: `None` when there is none of this name, `Some(None)` when it is wrong.
@@ -568,7 +569,7 @@ fn explained(fault: Fault, origin: &Origin) -> DerivationError {
         Some((name, Some(near))) if near == name => error,
         Some((_, Some(near))) => error.with_help(format!("did you mean `{near}`?")),
         Some((_, None)) => error.with_help(
-            "numbers with names stand under [let]; the functions are sqrt, sin and cos, in radians",
+            "numbers with names stand under [let]; the functions are sqrt, exp, log, and sin, cos, tan, asin, acos, atan in radians: `sin(radians(30))`",
         ),
         None => error,
     }
@@ -602,19 +603,4 @@ fn kind(value: &DeValue<'_>) -> String {
         DeValue::Array(_) => "a list".to_owned(),
         DeValue::Table(_) => "a table".to_owned(),
     }
-}
-
-/// Returns the number that a TOML number says: digits, point, exponent.
-fn decimal(text: &str) -> Option<Rational> {
-    let (negative, text) = match text.strip_prefix('-') {
-        Some(rest) => (true, rest),
-        None => (false, text.strip_prefix('+').unwrap_or(text)),
-    };
-    let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-    let exponent: i32 = exponent.parse().ok().filter(|e: &i32| e.abs() <= 400)?;
-    let ten = Rational::from_integer(10.into())
-        .checked_pow(exponent)
-        .ok()?;
-    let number = Rational::from_decimal(digits).ok()? * ten;
-    Some(if negative { -number } else { number })
 }

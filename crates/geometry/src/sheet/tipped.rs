@@ -48,15 +48,20 @@ fn meet_at_an_end(first: &Rail, second: &Rail) -> Result<bool> {
     Ok(false)
 }
 
-/// Returns whether the normals at both ends point to one side, on rulings between the ends.
+/// Returns whether the normals at both ends point to one side on rulings between the ends, and go on to do so from
+/// ruling to ruling: they turn over where the rails cross.
 fn have_one_side(first: &Rail, second: &Rail) -> Result<bool> {
+    let mut before = None;
     for k in 1..RULINGS {
         let x = f64::from(k) / f64::from(RULINGS);
         let ruling = sub(&second.point(x)?, &first.point(x)?);
         let [one, two] = [first.derivative(x)?, second.derivative(x)?];
-        if dot(&cross(&one, &ruling), &cross(&two, &ruling)) <= 0.0 {
+        let normals = [cross(&one, &ruling), cross(&two, &ruling)];
+        let turns = before.is_some_and(|before| dot(&before, &normals[0]) <= 0.0);
+        if turns || dot(&normals[0], &normals[1]) <= 0.0 {
             return Ok(false);
         }
+        before = Some(normals[0]);
     }
     Ok(true)
 }

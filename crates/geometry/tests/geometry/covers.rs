@@ -81,6 +81,10 @@ fn distance(surface: &Free, point: &Point, grid: &[([f64; 2], Point)]) -> f64 {
         let (e, f, g) = (dot(&u, &u), dot(&u, &v), dot(&v, &v));
         let (a, b) = (dot(&away, &u), dot(&away, &v));
         let area = e * g - f * f;
+        // In a pole the grid is as near as can be.
+        if area <= 0.0 {
+            break;
+        }
         let step = [(a * g - b * f) / area, (b * e - a * f) / area];
         best = [0, 1].map(|k| (best[k] + step[k]).clamp(0.0, 1.0));
         least = least.min(far(&surface.point(&best[0], &best[1]).unwrap()));
@@ -123,7 +127,9 @@ fn from_strip(strip: &SurfaceStrip, point: &Point) -> f64 {
         let far = |x: f64| {
             let [p, q] = piece.sheet.ruling(x.clamp(0.0, 1.0)).unwrap();
             let (ruling, away) = (sub(&q, &p), sub(point, &p));
-            let share = (dot(&away, &ruling) / dot(&ruling, &ruling)).clamp(0.0, 1.0);
+            // A tip is a ruling of no length.
+            let square = dot(&ruling, &ruling).max(f64::MIN_POSITIVE);
+            let share = (dot(&away, &ruling) / square).clamp(0.0, 1.0);
             let foot: Point = std::array::from_fn(|k| p[k] + share * ruling[k]);
             norm(&sub(point, &foot))
         };
