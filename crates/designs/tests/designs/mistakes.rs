@@ -171,3 +171,37 @@ fn an_edge_is_not_sewn_to_itself_and_no_pair_of_edges_twice() {
         assert_eq!(at, "\"p.first\"");
     }
 }
+
+#[test]
+fn formulas_know_tangents_degrees_exponents_and_units() {
+    let thickness = |unit: &str, formula: &str| {
+        let text =
+            format!("[design]\nunit = \"{unit}\"\n[sheet]\nthickness = \"{formula}\"\n{PATCH}");
+        let design = read("x.toml", &text).unwrap_or_else(|e| panic!("{formula}: {e:?}"));
+        design.metal.unwrap().sheet.thickness()
+    };
+    assert_eq!(thickness("mm", "10*tan(pi/8)"), 4.142_135_623_730_95);
+    assert_eq!(thickness("mm", "4*sin(radians(30))"), 2.0);
+    assert_eq!(thickness("mm", "2*1.5e-1 + 1E0"), 1.3);
+    assert_eq!(thickness("mm", "2^0.5"), 2.0_f64.sqrt());
+    // A length in another unit, wherever it stands; a bare one is in that of the design.
+    assert_eq!(thickness("mm", "0.5 in"), 12.7);
+    assert_eq!(thickness("m", "3 mm"), 3.0);
+    assert_eq!(thickness("in", "(1 + 1) mm"), 2.0);
+    let named = format!(
+        "[let]\nt = \"0.1 in\"\n[design]\nunit = \"cm\"\n[sheet]\nthickness = \"2*t\"\n{PATCH}"
+    );
+    let design = read("x.toml", &named).unwrap();
+    assert_eq!(design.metal.unwrap().sheet.thickness(), 5.08);
+    let (message, place) = one("[sheet]\nthickness = 1\nk-factor = \"0.4 mm\"\n");
+    assert_eq!(
+        message,
+        "a length with a unit where a number without one is wanted"
+    );
+    assert_eq!(place, "\"0.4 mm\"");
+    let (message, place) = one("[let]\nr = \"1.5e-3*q\"\n");
+    assert_eq!(
+        (message.as_str(), place.as_str()),
+        ("`q` is not declared", "q")
+    );
+}

@@ -2,7 +2,7 @@
 
 use super::pieces::{Pieces, corner};
 use super::plane_triangles::plane_triangles;
-use super::tipped::tipped_panel;
+use super::tipped::tipped_sheet;
 use super::{PiecewiseRail, Point, Rail, Sheet, SweptEdge};
 use crate::developable::{
     Connections, Landscape, NODE_RADIUS, Node, ParameterBox, Step, StepKind, Way, all_branches,
@@ -442,8 +442,19 @@ impl Sheet {
     /// # Ok::<(), torse_geometry::GeometryError>(())
     /// ```
     pub fn panels(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<Panels> {
-        if let Some(panel) = tipped_panel(first, second)? {
-            return Ok(Panels::Found(vec![panel]));
+        if let Some(sheet) = tipped_sheet(first, second)? {
+            let piece = PanelPiece {
+                kind: PanelKind::Arc,
+                ranges: [[0.0, 1.0]; 2],
+                sheet,
+            };
+            return Ok(Panels::Found(vec![Panel {
+                pieces: vec![piece],
+                turned: false,
+                closed: false,
+                folds: 0,
+                fans: 0.0,
+            }]));
         }
         let along = PanelRails::new(first, second)?;
         let own = ways(&along);

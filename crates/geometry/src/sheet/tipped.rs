@@ -5,7 +5,7 @@
 //! surface between equal parameters is developable from end to end, tips and all. That is so of the gores of cylinders and
 //! cones, of rails of one plane, and of rails that mirror each other.
 
-use super::{Panel, PanelKind, PanelPiece, PiecewiseRail, Rail, Sheet};
+use super::{PiecewiseRail, Rail, Sheet};
 use crate::error::Result;
 use crate::surface::Rails;
 use crate::vector::{cross, dot, sub};
@@ -13,9 +13,9 @@ use crate::vector::{cross, dot, sub};
 /// Rulings on which both tangent planes have to have the sheet on the same side.
 const RULINGS: u32 = 128;
 
-/// Returns the panel of rulings between equal parameters of rails that meet at an end; `None` where they do not meet, or
+/// Returns the sheet of rulings between equal parameters of rails that meet at an end; `None` where they do not meet, or
 /// where these rulings are no developable, or have its sheet on both sides.
-pub(super) fn tipped_panel(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<Option<Panel>> {
+pub(super) fn tipped_sheet(first: &PiecewiseRail, second: &PiecewiseRail) -> Result<Option<Sheet>> {
     let (Some(first), Some(second)) = (first.single()?, second.single()?) else {
         return Ok(None);
     };
@@ -23,20 +23,7 @@ pub(super) fn tipped_panel(first: &PiecewiseRail, second: &PiecewiseRail) -> Res
         return Ok(None);
     }
     let sheet = Sheet::ruled(first, second);
-    if !Rails::<f64>::is_developable_by_construction(&sheet) {
-        return Ok(None);
-    }
-    Ok(Some(Panel {
-        pieces: vec![PanelPiece {
-            kind: PanelKind::Arc,
-            ranges: [[0.0, 1.0]; 2],
-            sheet,
-        }],
-        turned: false,
-        closed: false,
-        folds: 0,
-        fans: 0.0,
-    }))
+    Ok(Rails::<f64>::is_developable_by_construction(&sheet).then_some(sheet))
 }
 
 fn meet_at_an_end(first: &Rail, second: &Rail) -> Result<bool> {

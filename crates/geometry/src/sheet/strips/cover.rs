@@ -53,7 +53,8 @@ impl StripCover {
             StripDirection::U => surface.clone(),
             StripDirection::V => transposed(surface)?,
         };
-        let cover = CoverSearch::new(&turned, within).and_then(CoverSearch::fewest);
+        let found = CoverSearch::new(&turned, within).and_then(CoverSearch::fewest);
+        let cover = found.map(|(strips, fewest)| Self { strips, fewest });
         cover.map_err(|error| match (along, error) {
             (StripDirection::V, StripError::Asymptotic { at: [u, v], point }) => {
                 StripError::Asymptotic { at: [v, u], point }

@@ -4,7 +4,6 @@
 //! bounded, and as much for each panel as it takes about. What was found until then is returned. It ends earlier where narrower strips do not help: of a strip
 //! that fails the halves are made, of one that fails again its halves, three times.
 
-use super::cover::StripCover;
 use super::distance::StripDistance;
 use super::spacing::StripSpacing;
 use super::strip::{StripError, SurfaceStrip, Tensor};
@@ -271,8 +270,8 @@ impl<'a> CoverSearch<'a> {
         }))
     }
 
-    /// Returns the smallest number of strips that come within the distance, with one less that does not.
-    pub(super) fn fewest(mut self) -> Result<StripCover, StripError> {
+    /// Returns the smallest number of strips that come within the distance, and whether one less was tried, and does not.
+    pub(super) fn fewest(mut self) -> Result<(Vec<SurfaceStrip>, bool), StripError> {
         let mut count = self.spacing.count(self.within).clamp(1, MAX_STRIPS);
         // The largest number that failed.
         let mut failing = 0;
@@ -338,10 +337,8 @@ impl<'a> CoverSearch<'a> {
             }
         }
         let strips = found.ok_or(last)?;
-        Ok(StripCover {
-            fewest: failing + 1 == strips.len(),
-            strips,
-        })
+        let fewest = failing + 1 == strips.len();
+        Ok((strips, fewest))
     }
 }
 
@@ -364,11 +361,11 @@ mod tests {
             let search = CoverSearch::new(&dome, 15.0).unwrap();
             CoverSearch { most, ..search }.fewest()
         };
-        let whole = with(MAX_WORK).unwrap();
-        assert!(whole.fewest && whole.strips.len() == 4);
+        let (strips, fewest) = with(MAX_WORK).unwrap();
+        assert!(fewest && strips.len() == 4);
         // As much as four strips take: that fewer would not do is no longer tried.
-        let found = with(60).unwrap();
-        assert!(!found.fewest && found.strips.len() == 4);
+        let (strips, fewest) = with(60).unwrap();
+        assert!(!fewest && strips.len() == 4);
         let spent = with(20).unwrap_err();
         assert!(
             matches!(
