@@ -210,17 +210,17 @@ fn strips(cover: &SurfaceCover) -> String {
     let heads = ["strip", edges.as_str(), "from surface", "fold to next"];
     let rows = cover.strips.iter().map(row);
     let mut text = columns(&heads, &rows.collect::<Vec<_>>());
-    let fewer = if cover.fewest {
-        "with one less along these curves no cover was found"
-    } else {
-        "whether fewer would do was not searched to the end"
+    let fewer = match (cover.strips.len(), cover.fewest) {
+        (1, _) => "",
+        (_, true) => "; with one less along these curves no cover was found",
+        (_, false) => "; whether fewer would do was not searched to the end",
     };
     let (many, covers) = match cover.strips.len() {
         1 => ("one strip".to_owned(), "covers"),
         count => (format!("{count} strips"), "cover"),
     };
     let note = format!(
-        "{many} along {} {covers} `{}` within {} mm, proved both ways; {fewer}. Fold angles are measured",
+        "{many} along {} {covers} `{}` within {} mm, proved both ways{fewer}. Fold angles are measured",
         cover.along,
         cover.surface,
         number(cover.within)
