@@ -3,6 +3,7 @@
 //! Formulas of a program are syntax trees of the formula language ([`Expr`]) whose places are bytes of the file. What the
 //! language of formulas does not have is a call of an [`operation`], whose names no program can use for its own.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_syntax::derivation::{DerivationError, Origin, Source};
 use torse_syntax::formula::{Expr, Node, Place};
@@ -51,10 +52,18 @@ pub(crate) mod operation {
     pub(crate) const REMAINDER: &str = "#remainder";
     /// The length of a list.
     pub(crate) const LENGTH: &str = "#length";
-    /// A new list of the same values.
+    /// A new list of the same values, as a comprehension without brackets makes it: gone through once.
+    pub(crate) const GENERATE: &str = "#generate";
+    /// A copy of the same kind.
     pub(crate) const COPY: &str = "#copy";
-    /// A list as a vector, which can be added and multiplied by numbers.
+    /// A new list of the values that something goes through.
+    pub(crate) const LIST: &str = "#list";
+    /// A new array, which can be added and multiplied by numbers.
     pub(crate) const VECTOR: &str = "#vector";
+    /// An array, the same one if it is one.
+    pub(crate) const AS_VECTOR: &str = "#as-vector";
+    /// A matrix of SymPy.
+    pub(crate) const MATRIX: &str = "#matrix";
     /// `append(list, value)`.
     pub(crate) const APPEND: &str = "#append";
     /// `repeat(value, count)`: a list of equal numbers.
@@ -63,6 +72,14 @@ pub(crate) mod operation {
     pub(crate) const SUM: &str = "#sum";
     /// The product of a list.
     pub(crate) const PRODUCT: &str = "#product";
+    /// The sum of all numbers of an array.
+    pub(crate) const TOTAL: &str = "#total";
+    /// The product of all numbers of an array.
+    pub(crate) const TOTAL_PRODUCT: &str = "#total-product";
+    /// SymPy's sum `(variable, low, high, body)`, which has a value of its own where the ends are exchanged.
+    pub(crate) const SUMMED: &str = "#summed";
+    /// SymPy's product, likewise.
+    pub(crate) const MULTIPLIED: &str = "#multiplied";
     /// The list of pairs of a place and a value.
     pub(crate) const ENUMERATE: &str = "#enumerate";
     /// The list of tuples of values of several lists.
@@ -75,7 +92,7 @@ pub(crate) mod operation {
     pub(crate) const SYMBOL: &str = "#symbol";
     /// True and false.
     pub(crate) const TRUE: &str = "#true";
-    /// An integer as an integer.
+    /// A number as an integer; with `:` and the name of a type behind it, as one of that type.
     pub(crate) const WHOLE: &str = "#whole";
     /// The number pi.
     pub(crate) const PI: &str = "#pi";
@@ -89,8 +106,62 @@ pub(crate) struct Program {
     pub(crate) source: Arc<Source>,
     pub(crate) language: CodeLanguage,
     pub(crate) functions: Vec<Function>,
-    /// Names outside of functions with their values, in the order of the file.
-    pub(crate) constants: Vec<(String, Expr)>,
+    /// Names outside of functions with their values.
+    pub(crate) constants: Vec<Constant>,
+}
+
+/// A name outside of functions, which is given a value once.
+#[derive(Debug, Clone)]
+pub(crate) struct Constant {
+    pub(crate) name: String,
+    pub(crate) value: Expr,
+    /// Whether all that the file does with it is to read its entries: then a list stays as it was made.
+    pub(crate) is_only_read: bool,
+}
+
+/// The type of numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Whole,
+    Float,
+    Unknown,
+}
+
+impl Kind {
+    pub(crate) fn of(is_whole: bool) -> Self {
+        if is_whole { Self::Whole } else { Self::Float }
+    }
+
+    /// The type of what two numbers make: floating-point numbers prevail.
+    pub(crate) fn joined(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Float, _) | (_, Self::Float) => Self::Float,
+            (Self::Whole, Self::Whole) => Self::Whole,
+            _ => Self::Unknown,
+        }
+    }
+}
+
+/// A declared type, as far as it matters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Type {
+    Number(Kind),
+    /// A list of values of one type.
+    Each(Box<Type>),
+    Tuple(Vec<Type>),
+    /// Not declared.
+    Open,
+}
+
+impl Type {
+    /// The type of all numbers in it.
+    pub(crate) fn number(&self) -> Kind {
+        match self {
+            Self::Number(kind) => *kind,
+            Self::Each(inner) => inner.number(),
+            Self::Tuple(_) | Self::Open => Kind::Unknown,
+        }
+    }
 }
 
 /// A function. Where its body cannot be read, this is the reason; it matters only if the function is called.
@@ -100,6 +171,12 @@ pub(crate) struct Function {
     /// Where its name stands.
     pub(crate) place: Place,
     pub(crate) parameters: Vec<Parameter>,
+    /// The type of its value.
+    pub(crate) result: Type,
+    /// The names that it assigns: they have no value before, whatever they are outside of it.
+    pub(crate) locals: BTreeSet<String>,
+    /// Whether a later call returns the same object.
+    pub(crate) is_cached: bool,
     pub(crate) body: Result<Vec<Step>, Box<DerivationError>>,
 }
 
@@ -109,8 +186,8 @@ pub(crate) struct Parameter {
     pub(crate) place: Place,
     /// The value where none is given.
     pub(crate) default: Option<Expr>,
-    /// Whether it is declared as an integer.
-    pub(crate) is_integer: bool,
+    /// Its declared type.
+    pub(crate) declared: Type,
 }
 
 /// One step of a function.
@@ -160,7 +237,7 @@ pub(crate) enum Assignment {
 #[derive(Debug, Clone)]
 pub(crate) enum Target {
     Name(String, Place),
-    /// An entry of a list: its name, and one index for each level.
+    /// An entry of a list: its name, and one index for each level; several in one pair of brackets are a list.
     Entry(String, Vec<Expr>, Place),
     Several(Vec<Target>, Place),
 }

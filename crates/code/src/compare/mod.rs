@@ -58,7 +58,18 @@ fn compared(budget: u64, paper: &str, claim: &Claim, question: &CodeQuestion) ->
     });
     let demanded: Vec<Hypothesis> = demanded.collect();
     asked.hypotheses.extend(demanded);
-    let outcome = decided(budget, paper, &asked, &code, &asked.printed)?;
+    // What is wrong about the formula of the code is shown where the code is.
+    let outcome = decided(budget, paper, &asked, &code, &asked.printed).map_err(|error| {
+        // Indices of sums are numbered behind this sign.
+        let mut said = String::new();
+        for (position, part) in error.to_string().split('°').enumerate() {
+            let digits = |c: char| position > 0 && c.is_ascii_digit();
+            said.push_str(part.trim_start_matches(digits));
+        }
+        let message = format!("the formula of `{}` has no meaning: {said}", function.name);
+        let help = format!("it was read as {}", notation::text(&code));
+        refused(&source, function.place, message, help)
+    })?;
     let mut verdict = CodeVerdict::new(&outcome);
     let mut reason = comparison::reason(&outcome);
     let mut witness = outcome.witness().cloned();

@@ -18,6 +18,8 @@ pub(super) struct Reader<'s> {
     pub(super) functions: &'s BTreeSet<String>,
     /// The names that hide imported ones here: functions and variables.
     pub(super) own: &'s BTreeSet<String>,
+    /// The variables of the function that is read.
+    pub(super) locals: &'s BTreeSet<String>,
 }
 
 /// What is read, for messages.
@@ -220,6 +222,10 @@ impl Reader<'_> {
             return Err(self.unread(node));
         };
         let mut value = self.expression(*body)?;
+        let operation = match node.kind() {
+            "generator_expression" => operation::GENERATE,
+            _ => operation::FOR,
+        };
         for (position, clause) in clauses.iter().enumerate().rev() {
             if clause.kind() != "for_in_clause" {
                 let message = "a condition in a comprehension is not read";
@@ -244,7 +250,7 @@ impl Reader<'_> {
                 }
             };
             let values = self.expression(self.text.field(*clause, "right")?)?;
-            value = self.call(node, operation::FOR, vec![value, name, values]);
+            value = self.call(node, operation, vec![value, name, values]);
         }
         Ok(value)
     }
@@ -259,6 +265,12 @@ impl Reader<'_> {
             && slice.kind() == "slice"
         {
             return self.slice(node, self.expression(head)?, *slice);
+        }
+        if let [only] = indices.as_slice()
+            && only.kind().starts_with("list")
+        {
+            let message = "an index that is a list takes several entries, and is not read";
+            return Err(self.refused(*only, message, "write a comprehension"));
         }
         let mut indices = self.all(&indices)?;
         if let [
@@ -301,7 +313,9 @@ impl Reader<'_> {
     fn attribute(self, node: CodeNode<'_>) -> Read<Expr> {
         let object = self.text.field(node, "object")?;
         let member = self.text.text(self.text.field(node, "attribute")?);
-        match self.imports.member(self.text.text(object), member) {
+        let module = self.text.text(object);
+        let found = self.imports.member(module, member);
+        match found.filter(|_| self.is_module(module)) {
             Some(Meaning::Pi) => Ok(at(node, Node::Name(operation::PI.to_owned()))),
             Some(Meaning::E) => Ok(self.call(node, "exp", vec![Expr::number(&integer(1))])),
             Some(_) => Err(self.refused(node, "a function without arguments", "call it")),
@@ -319,6 +333,11 @@ impl Reader<'_> {
             "identifier" => {
                 let name = self.text.text(function);
                 if self.own.contains(name) {
+                    if !self.functions.contains(name) || self.locals.contains(name) {
+                        let message = format!("`{name}` is a variable here, and is called");
+                        let help = "functions that are defined by `def` are called";
+                        return Err(self.refused(function, &message, help));
+                    }
                     let arguments = self.arguments(arguments)?;
                     let head = at(function, Node::Name(name.to_owned()));
                     return Ok(at(node, Node::Call(Arc::new(head), arguments)));
@@ -329,7 +348,7 @@ impl Reader<'_> {
                 let object = self.text.field(function, "object")?;
                 let member = self.text.text(self.text.field(function, "attribute")?);
                 let module = self.text.text(object);
-                if !self.imports.is_module(module) {
+                if !self.is_module(module) {
                     return self.method(node, object, member, arguments);
                 }
                 self.imports.member(module, member)
@@ -344,6 +363,12 @@ impl Reader<'_> {
             return Err(self.refused(function, &message, help));
         };
         self.with_meaning(node, meaning, arguments)
+    }
+
+    /// Whether a name is a module that no variable hides.
+    pub(super) fn is_module(self, name: &str) -> bool {
+        let first = name.split('.').next().unwrap_or(name);
+        self.imports.is_module(name) && !self.own.contains(first)
     }
 
     /// The arguments of a call, of which none has a name.
@@ -366,9 +391,13 @@ impl Reader<'_> {
         if meaning == Meaning::Symbols {
             return self.symbols(node, list);
         }
-        if let (Meaning::Function(operation::VECTOR), true) =
-            (meaning, list.named_child_count() > 1)
-        {
+        let is_array = matches!(
+            meaning,
+            Meaning::Function(
+                operation::VECTOR | operation::AS_VECTOR | operation::MATRIX | operation::COPY
+            )
+        );
+        if is_array && list.kind() == "argument_list" && children(list).len() != 1 {
             let message = "the type of an array is not read";
             return Err(self.refused(list, message, "give the entries alone"));
         }
@@ -391,6 +420,13 @@ impl Reader<'_> {
                 Err(self.refused(node, "a number is no function", READ))
             }
             Meaning::Function(name) => Ok(self.call(node, name, arguments)),
+            Meaning::Extremum(_) if count < 2 => Err(wrong()),
+            Meaning::Extremum(name) => Ok(self.call(node, name, arguments)),
+            Meaning::ExtremumOfTwo(name) => {
+                let (one, other) = two()?;
+                Ok(self.call(node, name, vec![one, other]))
+            }
+            Meaning::Whole => Ok(self.call(node, operation::WHOLE, vec![one()?])),
             Meaning::Same => match arguments.first() {
                 Some(first) => Ok(first.clone()),
                 None => Err(wrong()),
@@ -423,6 +459,7 @@ impl Reader<'_> {
             }
             Meaning::Filled(value) => {
                 let entry = Expr::number(&integer(value));
+                let entry = self.call(node, operation::FLOAT, vec![entry]);
                 let list = self.call(node, operation::REPEAT, vec![entry, one()?]);
                 Ok(self.call(node, operation::VECTOR, vec![list]))
             }
@@ -487,7 +524,7 @@ impl Reader<'_> {
         let with = |more: Vec<Expr>| std::iter::once(value.clone()).chain(more).collect();
         match (member, arguments.len()) {
             ("copy", 0) => Ok(self.call(node, operation::COPY, vec![value])),
-            ("sum", 0) => Ok(self.call(node, operation::SUM, vec![value])),
+            ("sum", 0) => Ok(self.call(node, operation::TOTAL, vec![value])),
             ("doit" | "simplify" | "expand" | "factor" | "together" | "cancel", 0) => Ok(value),
             ("dot", 1) => Ok(self.call(node, "dot", with(arguments))),
             ("cross", 1) => Ok(self.call(node, "cross", with(arguments))),

@@ -1,11 +1,12 @@
 //! Reads Python: functions of a module, the names that it imports and assigns.
 
 mod expression;
+mod globals;
 mod names;
 mod statement;
 
 use crate::grammar::{CodeNode, Read, Text, children, place, tree};
-use crate::program::{CodeLanguage, Function, Parameter, Program};
+use crate::program::{CodeLanguage, Constant, Function, Kind, Parameter, Program, Type};
 use expression::Reader;
 use names::Imports;
 use std::collections::BTreeSet;
@@ -13,14 +14,15 @@ use std::sync::Arc;
 use torse_syntax::derivation::Source;
 
 /// Decorators that leave the values of a function as they are.
-const DECORATORS: [&str; 6] = [
-    "lru_cache",
-    "cache",
-    "njit",
-    "jit",
-    "vectorize",
-    "staticmethod",
+const DECORATORS: [(&str, &str); 4] = [
+    ("functools", "lru_cache"),
+    ("functools", "cache"),
+    ("numba", "njit"),
+    ("numba", "jit"),
 ];
+
+/// Functions by which a program changes what names mean.
+const DYNAMIC: [&str; 6] = ["globals", "locals", "vars", "exec", "setattr", "delattr"];
 
 /// Reads a file. What cannot be read of it is no error until it is asked for.
 pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
@@ -29,20 +31,29 @@ pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
     let statements = children(tree.root_node());
     let mut imports = Imports::default();
     let mut functions = BTreeSet::new();
+    // Names that assignments outside of functions give a value, once for each time, and those that get a meaning otherwise.
+    let mut outside = vec![];
+    let mut others: Vec<(String, usize)> = vec![];
     for node in &statements {
-        match node.kind() {
-            "import_statement" | "import_from_statement" => imports.add(text, *node)?,
-            _ => {}
-        }
         if let Some(function) = definition(*node) {
             functions.insert(text.text(text.field(function, "name")?).to_owned());
+            continue;
+        }
+        match node.kind() {
+            "import_statement" | "import_from_statement" => {
+                imports.add(text, *node)?;
+                let names = names::imported(text, *node).into_iter();
+                others.extend(names.map(|name| (name, node.start_byte())));
+            }
+            "expression_statement" => assigned(text, *node, &mut outside),
+            _ => {
+                let mut own = vec![];
+                globals::bound(text, *node, &mut own);
+                imports.disturb(own);
+            }
         }
     }
-    let mut outside = vec![];
-    let others = statements
-        .iter()
-        .filter(|node| definition(**node).is_none());
-    others.for_each(|node| assigned(text, *node, &mut outside));
+    imports.disturb(globals::declared(text, tree.root_node()));
     let mut own = functions.clone();
     own.extend(outside.iter().cloned());
     let reader = Reader {
@@ -50,6 +61,7 @@ pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
         imports: &imports,
         functions: &functions,
         own: &own,
+        locals: &BTreeSet::new(),
     };
     let mut program = Program {
         source: Arc::clone(source),
@@ -57,21 +69,43 @@ pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
         functions: vec![],
         constants: vec![],
     };
-    for node in statements {
-        if definition(node).is_some() {
-            program.functions.push(function(reader, node)?);
-        } else if node.kind() == "expression_statement" && text.check(node).is_ok() {
+    let is_dynamic = globals::mentions(text, tree.root_node(), &DYNAMIC);
+    // Whether what is written at a place is all that a name means.
+    let is_plain = |name: &String, node: CodeNode<'_>| {
+        !is_dynamic
+            && !others
+                .iter()
+                .any(|(own, at)| own == name && *at > node.start_byte())
+            && !imports.is_hidden(name, node.start_byte())
+            && !imports.is_before_whole(node.start_byte())
+    };
+    for node in &statements {
+        if let Some(inner) = definition(*node) {
+            let mut function = function(reader, *node)?;
+            if !is_plain(&function.name, *node) || outside.contains(&function.name) {
+                let message = format!("`{}` gets another meaning in this file", function.name);
+                let help = "give the function a name of its own, and import before it";
+                let name = text.field(inner, "name")?;
+                function.body = Err(text.refused(name, message, help));
+            }
+            program.functions.push(function);
+        } else if node.kind() == "expression_statement" && text.check(*node).is_ok() {
             // What is not read here is missing where it is used.
-            let steps = reader.step(node).unwrap_or_default();
-            program.constants.extend(statement::constants(&steps));
+            let steps = reader.step(*node).unwrap_or_default();
+            for (name, value) in statement::constants(&steps) {
+                let times = outside.iter().filter(|other| **other == name).count();
+                if times == 1 && is_plain(&name, *node) && !functions.contains(&name) {
+                    let is_only_read =
+                        globals::is_only_read(reader, tree.root_node(), *node, &name);
+                    program.constants.push(Constant {
+                        name,
+                        value,
+                        is_only_read,
+                    });
+                }
+            }
         }
     }
-    // What is assigned more than once, or by a function, has no one value.
-    let changed = globals(text, tree.root_node());
-    program.constants.retain(|(name, _)| {
-        let times = outside.iter().filter(|other| *other == name).count();
-        times == 1 && !changed.contains(name)
-    });
     Ok(program)
 }
 
@@ -92,7 +126,7 @@ fn function(reader: Reader<'_>, node: CodeNode<'_>) -> Read<Function> {
     let name = text.field(inner, "name")?;
     let list = text.field(inner, "parameters")?;
     let mut parameters = vec![];
-    let mut body = text.check(node).and_then(|()| undecorated(text, node));
+    let mut body = text.check(node).and_then(|()| undecorated(reader, node));
     for parameter in children(list) {
         match read_parameter(reader, parameter) {
             Ok(read) => parameters.push(read),
@@ -106,9 +140,13 @@ fn function(reader: Reader<'_>, node: CodeNode<'_>) -> Read<Function> {
     if body.is_ok() {
         assigned(text, text.field(inner, "body")?, &mut inside);
     }
+    let mut locals: BTreeSet<String> = inside.iter().cloned().collect();
     own.extend(inside);
+    let assigned = locals.clone();
+    locals.extend(parameters.iter().map(|parameter| parameter.name.clone()));
     let reader = Reader {
         own: &own,
+        locals: &locals,
         ..reader
     };
     let body = body.and_then(|()| {
@@ -126,6 +164,9 @@ fn function(reader: Reader<'_>, node: CodeNode<'_>) -> Read<Function> {
         name: text.text(name).to_owned(),
         place: place(name),
         parameters,
+        result: Type::Open,
+        locals: assigned,
+        is_cached: node.kind() == "decorated_definition",
         body,
     })
 }
@@ -160,22 +201,9 @@ fn assigned(text: Text<'_>, node: CodeNode<'_>, into: &mut Vec<String>) {
     }
 }
 
-/// The names that functions declare as global.
-fn globals(text: Text<'_>, root: CodeNode<'_>) -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
-    let mut pending = vec![root];
-    while let Some(node) = pending.pop() {
-        let inner = children(node);
-        if node.kind() == "global_statement" {
-            found.extend(inner.iter().map(|name| text.text(*name).to_owned()));
-        }
-        pending.extend(inner);
-    }
-    found
-}
-
 /// Fails for a decorator that may change the values of a function.
-fn undecorated(text: Text<'_>, node: CodeNode<'_>) -> Read<()> {
+fn undecorated(reader: Reader<'_>, node: CodeNode<'_>) -> Read<()> {
+    let text = reader.text;
     if node.kind() != "decorated_definition" {
         return Ok(());
     }
@@ -184,11 +212,21 @@ fn undecorated(text: Text<'_>, node: CodeNode<'_>) -> Read<()> {
             continue;
         }
         let words = text.text(decorator).trim_start_matches('@');
-        let name = words.split('(').next().unwrap_or(words).trim();
-        let name = name.rsplit('.').next().unwrap_or(name);
-        if !DECORATORS.contains(&name) {
+        let written = words.split('(').next().unwrap_or(words).trim();
+        let (object, name) = match written.rsplit_once('.') {
+            Some((object, name)) => (Some(object.trim()), name.trim()),
+            None => (None, written),
+        };
+        let is_own = reader.own.contains(object.unwrap_or(name));
+        let origin = reader.imports.origin(object, name).filter(|_| !is_own);
+        let is_read = origin.is_some_and(|(module, name)| {
+            let mut known = DECORATORS.iter();
+            known.any(|(own, known)| *own == module && *known == name)
+        });
+        if !is_read {
             let message = format!("the decorator `{name}` may change the values of the function");
-            let help = format!("these are read past: {}", DECORATORS.join(", "));
+            let known = DECORATORS.map(|(module, name)| format!("{module}.{name}"));
+            let help = format!("these are read past: {}", known.join(", "));
             return Err(text.refused(decorator, message, help));
         }
     }
@@ -214,6 +252,9 @@ fn read_parameter(reader: Reader<'_>, node: CodeNode<'_>) -> Read<Parameter> {
         name: text.text(name).to_owned(),
         place: place(name),
         default,
-        is_integer: kind == Some("int"),
+        declared: match kind {
+            Some("int") => Type::Number(Kind::Whole),
+            _ => Type::Open,
+        },
     })
 }

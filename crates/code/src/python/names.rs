@@ -2,17 +2,23 @@
 
 use crate::grammar::{CodeNode, Read, Text, children};
 use crate::program::operation;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// The names that a file imports.
+/// The names that a file imports, each with the position of the import in the file.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Imports {
     /// The modules by the names that they have in the file.
-    modules: BTreeMap<String, String>,
+    modules: BTreeMap<String, (String, usize)>,
     /// Single names: the module and the name there.
-    names: BTreeMap<String, (String, String)>,
+    names: BTreeMap<String, (String, String, usize)>,
     /// The modules of which all names are imported.
     whole: Vec<String>,
+    /// The last import of all names.
+    last_whole: usize,
+    /// The last import of all names of a module that is not read: what was imported before it may have another meaning.
+    unknown: Option<usize>,
+    /// Names that may get another meaning outside of functions.
+    disturbed: BTreeSet<String>,
 }
 
 /// What a name stands for.
@@ -28,6 +34,12 @@ pub(super) enum Meaning {
     Quotient,
     /// What returns its argument, as far as values are concerned.
     Same,
+    /// What makes an integer of its argument.
+    Whole,
+    /// The smallest or the greatest of several numbers.
+    Extremum(&'static str),
+    /// The smaller or the greater of two numbers.
+    ExtremumOfTwo(&'static str),
     /// `pow(a, b)`.
     Power,
     /// `square(a)`.
@@ -52,38 +64,89 @@ const MODULES: [&str; 5] = ["math", "numpy", "sympy", "scipy.special", "fraction
 impl Imports {
     /// Reads a statement that imports something.
     pub(super) fn add(&mut self, text: Text<'_>, node: CodeNode<'_>) -> Read<()> {
+        let position = node.start_byte();
         if node.kind() == "import_statement" {
             for name in children(node) {
                 let (module, alias) = renamed(text, name)?;
-                self.modules.insert(alias, module);
+                self.names.remove(&alias);
+                self.modules.insert(alias, (module, position));
             }
             return Ok(());
         }
         let module = text.text(text.field(node, "module_name")?).to_owned();
         for name in children(node).into_iter().skip(1) {
             if name.kind() == "wildcard_import" {
-                self.whole.push(module.clone());
+                if MODULES.contains(&module.as_str()) {
+                    self.whole.push(module.clone());
+                    self.last_whole = position;
+                } else {
+                    self.unknown = Some(position);
+                }
                 continue;
             }
             let (name, alias) = renamed(text, name)?;
             let inner = format!("{module}.{name}");
             if MODULES.contains(&inner.as_str()) {
-                self.modules.insert(alias, inner);
+                self.names.remove(&alias);
+                self.modules.insert(alias, (inner, position));
             } else {
-                self.names.insert(alias, (module.clone(), name));
+                self.modules.remove(&alias);
+                self.names.insert(alias, (module.clone(), name, position));
             }
         }
         Ok(())
     }
 
+    /// Notes names that get a meaning outside of functions in other ways than by one definition or import.
+    pub(super) fn disturb(&mut self, names: impl IntoIterator<Item = String>) {
+        self.disturbed.extend(names);
+    }
+
+    /// Whether a name may have another meaning than what is written at a place.
+    pub(super) fn is_hidden(&self, name: &str, position: usize) -> bool {
+        self.disturbed.contains(name) || self.unknown.is_some_and(|unknown| unknown > position)
+    }
+
+    /// Whether all names of a module are imported after a place.
+    pub(super) fn is_before_whole(&self, position: usize) -> bool {
+        self.last_whole > position
+    }
+
+    /// The module and the name there of a name, or of a member of a module.
+    pub(super) fn origin(&self, object: Option<&str>, name: &str) -> Option<(&str, String)> {
+        match object {
+            None => {
+                let (module, own, position) = self.names.get(name)?;
+                (!self.is_hidden(name, *position)).then(|| (module.as_str(), own.clone()))
+            }
+            Some(object) => {
+                let (module, position) = self.modules.get(object)?;
+                (!self.is_hidden(object, *position)).then(|| (module.as_str(), name.to_owned()))
+            }
+        }
+    }
+
     /// What a name alone means, if it is imported or always there.
     pub(super) fn name(&self, name: &str) -> Option<Meaning> {
-        if let Some((module, name)) = self.names.get(name) {
-            return meaning(module, name);
+        // The last import of all names has them, or may have them with a meaning that is not read.
+        let last = self.whole.last();
+        if let Some((module, own, position)) = self.names.get(name) {
+            let found = meaning(module, own).filter(|_| !self.is_hidden(name, *position));
+            let is_last = *position > self.last_whole
+                || last.is_none_or(|last| last == module || meaning(last, name) == found);
+            return found.filter(|_| is_last);
         }
-        let imported = self.whole.iter().rev();
-        let mut imported = imported.filter_map(|module| meaning(module, name));
-        imported.next().or_else(|| built_in(name))
+        if self.is_hidden(name, self.last_whole) || self.modules.contains_key(name) {
+            return None;
+        }
+        if let Some(found) = last.and_then(|last| meaning(last, name)) {
+            return Some(found);
+        }
+        let is_one = self.whole.windows(2).all(|pair| pair[0] == pair[1]);
+        let is_numpy = last.is_some_and(|last| last == "numpy");
+        // NumPy has its own of these.
+        let is_other = is_numpy && matches!(name, "abs" | "min" | "max" | "pow");
+        built_in(name).filter(|_| self.unknown.is_none() && is_one && !is_other)
     }
 
     /// Whether a name is a module.
@@ -93,8 +156,20 @@ impl Imports {
 
     /// What a name of a module means.
     pub(super) fn member(&self, module: &str, name: &str) -> Option<Meaning> {
-        meaning(self.modules.get(module)?, name)
+        let (origin, name) = self.origin(Some(module), name)?;
+        meaning(origin, &name)
     }
+}
+
+/// The names that an import gives a meaning.
+pub(super) fn imported(text: Text<'_>, node: CodeNode<'_>) -> Vec<String> {
+    let skipped = usize::from(node.kind() != "import_statement");
+    let names = children(node).into_iter().skip(skipped);
+    let names = names.filter_map(|name| renamed(text, name).ok());
+    // `import a.b` gives `a` a meaning.
+    names
+        .map(|(_, alias)| alias.split('.').next().unwrap_or("").to_owned())
+        .collect()
 }
 
 /// A name and the name that it has in the file.
@@ -111,8 +186,8 @@ fn renamed(text: Text<'_>, node: CodeNode<'_>) -> Read<(String, String)> {
 /// What a name of a module means, if it is read.
 fn meaning(module: &str, name: &str) -> Option<Meaning> {
     use Meaning::{
-        Derivative, E, Filled, Function, Integral, Pi, Power, Quotient, Same, Series, Square,
-        Symbols,
+        Derivative, E, Extremum, ExtremumOfTwo, Filled, Function, Integral, Pi, Power, Quotient,
+        Same, Series, Square, Symbols, Whole,
     };
     if !MODULES.contains(&module) {
         return None;
@@ -130,28 +205,34 @@ fn meaning(module: &str, name: &str) -> Option<Meaning> {
         ("math", "fabs") | ("numpy", "abs" | "absolute" | "fabs") | ("sympy", "Abs") => {
             Function("abs")
         }
-        ("numpy", "minimum" | "fmin") | ("sympy", "Min") => Function("min"),
-        ("numpy", "maximum" | "fmax") | ("sympy", "Max") => Function("max"),
+        ("numpy", "minimum" | "fmin") => ExtremumOfTwo("min"),
+        ("numpy", "maximum" | "fmax") => ExtremumOfTwo("max"),
+        ("sympy", "Min") => Extremum("min"),
+        ("sympy", "Max") => Extremum("max"),
+        ("sympy", "Integer") => Whole,
         ("math" | "numpy" | "sympy", "pow" | "power" | "Pow") => Power,
         ("numpy", "square") => Square,
         ("sympy", "Rational") | ("fractions", "Fraction") => Quotient,
         (
             "sympy",
-            "S" | "Integer" | "sympify" | "simplify" | "expand" | "factor" | "together" | "cancel"
-            | "trigsimp" | "nsimplify" | "apart" | "collect",
+            "S" | "sympify" | "simplify" | "expand" | "factor" | "together" | "cancel" | "trigsimp"
+            | "nsimplify" | "apart" | "collect",
         )
         | ("numpy", "float64") => Same,
         ("sympy", "symbols" | "Symbol") => Symbols,
         ("sympy", "diff" | "Derivative") => Derivative,
         ("sympy", "integrate" | "Integral") => Integral,
-        ("sympy", "Sum" | "summation") => Series("sum"),
-        ("sympy", "Product" | "product") => Series("product"),
-        ("numpy", "array" | "asarray") | ("sympy", "Matrix") => Function(operation::VECTOR),
-        ("numpy", "copy") => Function(operation::COPY),
+        ("sympy", "Sum" | "summation") => Series(operation::SUMMED),
+        ("sympy", "Product" | "product") => Series(operation::MULTIPLIED),
+        ("numpy", "array" | "copy") => Function(operation::VECTOR),
+        ("numpy", "asarray") => Function(operation::AS_VECTOR),
+        ("sympy", "Matrix") => Function(operation::MATRIX),
         ("numpy", "zeros") => Filled(0),
         ("numpy", "ones") => Filled(1),
-        ("numpy" | "math", "sum" | "fsum") => Function(operation::SUM),
-        ("numpy" | "math", "prod") => Function(operation::PRODUCT),
+        ("numpy", "sum") => Function(operation::TOTAL),
+        ("math", "fsum") => Function(operation::SUM),
+        ("numpy", "prod") => Function(operation::TOTAL_PRODUCT),
+        ("math", "prod") => Function(operation::PRODUCT),
         ("numpy", "dot") => Function("dot"),
         ("numpy", "cross") => Function("cross"),
         _ => return None,
@@ -182,7 +263,7 @@ fn built_in(name: &str) -> Option<Meaning> {
         "max" => Function("max"),
         "len" => Function(operation::LENGTH),
         "sum" => Function(operation::SUM),
-        "list" | "tuple" => Function(operation::COPY),
+        "list" | "tuple" => Function(operation::LIST),
         "float" => Meaning::Same,
         "pow" => Meaning::Power,
         "range" => Meaning::Range,

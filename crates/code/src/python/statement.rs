@@ -166,7 +166,16 @@ impl Reader<'_> {
                 let mut entry = self.expression(node)?;
                 let mut indices = vec![];
                 while let Node::Index(head, own) = entry.node {
-                    indices.splice(0..0, own);
+                    // Several in one pair of brackets are one index.
+                    let place = entry.place;
+                    let one = match <[Expr; 1]>::try_from(own) {
+                        Ok([one]) => one,
+                        Err(several) => Expr {
+                            node: Node::List(several),
+                            place,
+                        },
+                    };
+                    indices.insert(0, one);
                     entry = Arc::unwrap_or_clone(head);
                 }
                 match entry.node {
@@ -183,7 +192,7 @@ impl Reader<'_> {
     }
 }
 
-/// The names that steps assign outside of functions.
+/// The names that an assignment outside of functions gives a value, with their values.
 pub(super) fn constants(steps: &[Step]) -> Vec<(String, Expr)> {
     let mut found = vec![];
     for step in steps {

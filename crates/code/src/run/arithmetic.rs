@@ -1,9 +1,9 @@
 //! Arithmetic of values, and their entries.
 
-use super::value::{Family, Term, Value};
+use super::value::{Family, List, Shape, Term, Value};
 use super::{Runner, position};
 use crate::grammar::{Read, small};
-use crate::program::{CodeLanguage, NOWHERE};
+use crate::program::{CodeLanguage, Kind, NOWHERE};
 use num_traits::Zero;
 use std::sync::Arc;
 use torse_numbers::rational::{integer, ratio};
@@ -19,9 +19,8 @@ impl Runner<'_> {
     pub(super) fn negative(&mut self, value: Value, place: Place) -> Read<Value> {
         match value {
             Value::Term(term) => self.bounded(term.negative(), place),
-            Value::Vector(items) => {
-                let items = items.into_iter().map(|item| self.negative(item, place));
-                Ok(Value::Vector(items.collect::<Read<_>>()?))
+            Value::List(list) if matches!(list.shape, Shape::Vector | Shape::Matrix) => {
+                self.each(list, |runner, value| runner.negative(value, place))
             }
             other => {
                 let message = format!("{} has no sign", other.kind());
@@ -34,6 +33,18 @@ impl Runner<'_> {
         }
     }
 
+    /// A new list of what becomes of each value.
+    pub(super) fn each(
+        &mut self,
+        list: List,
+        mut change: impl FnMut(&mut Self, Value) -> Read<Value>,
+    ) -> Read<Value> {
+        let values = list.values.into_iter();
+        let values = values.map(|value| change(self, value));
+        let values = values.collect::<Read<_>>()?;
+        Ok(self.list(list.shape, values))
+    }
+
     /// `left operator right`.
     pub(super) fn combined(
         &mut self,
@@ -42,45 +53,55 @@ impl Runner<'_> {
         right: Value,
         place: Place,
     ) -> Read<Value> {
-        use Operator::{Add, Divide, Multiply, Power, Subtract};
+        use Operator::{Add, Divide, Multiply, Subtract};
+        use Shape::{List as Plain, Matrix, Vector};
         let is_python = self.program.language == CodeLanguage::Python;
         match (operator, left, right) {
             (_, Value::Term(left), Value::Term(right)) => {
+                self.is_arithmetic(operator, &left, &right, place)?;
                 let term = self.terms(operator, left, right, place)?;
                 self.bounded(term, place)
             }
-            (Add | Subtract, Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
-                let pairs = a.into_iter().zip(b);
+            (Add | Subtract, Value::List(a), Value::List(b))
+                if a.shape == b.shape
+                    && matches!(a.shape, Vector | Matrix)
+                    && a.values.len() == b.values.len() =>
+            {
+                let shape = a.shape;
+                let pairs = a.values.into_iter().zip(b.values);
                 let joined = pairs.map(|(a, b)| self.combined(operator, a, b, place));
-                Ok(Value::Vector(joined.collect::<Read<_>>()?))
+                let joined = joined.collect::<Read<_>>()?;
+                Ok(self.list(shape, joined))
             }
-            (Multiply, Value::Term(factor), Value::Vector(items)) => {
-                let scaled = items.into_iter();
-                let scaled = scaled
-                    .map(|item| self.combined(operator, Value::Term(factor.clone()), item, place));
-                Ok(Value::Vector(scaled.collect::<Read<_>>()?))
+            (Multiply, Value::Term(factor), Value::List(list))
+                if !factor.is_point && matches!(list.shape, Vector | Matrix) =>
+            {
+                self.each(list, |runner, item| {
+                    runner.combined(operator, Value::Term(factor.clone()), item, place)
+                })
             }
-            (Multiply | Divide, Value::Vector(items), Value::Term(factor)) => {
-                let scaled = items.into_iter();
-                let scaled = scaled
-                    .map(|item| self.combined(operator, item, Value::Term(factor.clone()), place));
-                Ok(Value::Vector(scaled.collect::<Read<_>>()?))
+            (Multiply | Divide, Value::List(list), Value::Term(factor))
+                if !factor.is_point && matches!(list.shape, Vector | Matrix) =>
+            {
+                self.each(list, |runner, item| {
+                    runner.combined(operator, item, Value::Term(factor.clone()), place)
+                })
             }
-            (Add, Value::List(mut a), Value::List(b)) if is_python => {
-                if a.iter().chain(&b).any(Value::is_list) {
-                    self.escapes += 1;
-                }
-                a.extend(b);
-                Ok(Value::List(a))
+            (Add, Value::List(a), Value::List(b))
+                if is_python && a.shape == Plain && b.shape == Plain =>
+            {
+                let mut values = a.values;
+                values.extend(b.values);
+                Ok(self.list(Plain, values))
             }
-            (Multiply, Value::List(items), Value::Term(count))
-            | (Multiply, Value::Term(count), Value::List(items))
-                if is_python =>
+            (Multiply, Value::List(list), Value::Term(count))
+            | (Multiply, Value::Term(count), Value::List(list))
+                if is_python && list.shape == Plain =>
             {
                 let count = self.constant(&Value::Term(count), place)?;
-                self.repeated(items, count, place)
+                self.repeated(list.values, count, place)
             }
-            (Power, left, right) => {
+            (Operator::Power, left, right) => {
                 let message = format!("{} to the power of {}", left.kind(), right.kind());
                 Err(self.refused(place, message, "powers of numbers are read"))
             }
@@ -91,6 +112,33 @@ impl Runner<'_> {
                 Err(self.refused(place, message, help))
             }
         }
+    }
+
+    /// Fails for what is done to points entry by entry, and has no meaning for points.
+    fn is_arithmetic(
+        &self,
+        operator: Operator,
+        left: &Term,
+        right: &Term,
+        place: Place,
+    ) -> Read<()> {
+        let is_read = match operator {
+            Operator::Add | Operator::Subtract => {
+                left.is_point == right.is_point || left.is_zero() || right.is_zero()
+            }
+            Operator::Multiply => !left.is_point || !right.is_point,
+            Operator::Divide => !right.is_point,
+            Operator::Power => !left.is_point && !right.is_point,
+        };
+        if is_read {
+            return Ok(());
+        }
+        let kind = |term: &Term| if term.is_point { "a point" } else { "a number" };
+        let (left, right) = (kind(left), kind(right));
+        let message = format!("`{}` of {left} and {right} is not read", operator.sign());
+        let help =
+            "arrays are combined entry by entry here: points are added, and multiplied by numbers";
+        Err(self.refused(place, message, help))
     }
 
     /// A list of several copies of a list.
@@ -106,17 +154,24 @@ impl Runner<'_> {
             all.extend(items.iter().cloned());
             self.steps += items.len();
         }
-        Ok(Value::List(all))
+        Ok(self.list(Shape::List, all))
     }
 
     fn terms(&mut self, operator: Operator, left: Term, right: Term, place: Place) -> Read<Term> {
-        let truncates = operator == Operator::Divide
-            && self.program.language == CodeLanguage::Rust
-            && left.is_whole
-            && right.is_whole
-            // A quotient that a correction puts in is one of real numbers.
-            && place != NOWHERE;
-        if operator == Operator::Divide && right.is_zero() {
+        let is_division = operator == Operator::Divide;
+        let has_types = self.program.language == CodeLanguage::Rust;
+        let kind = left.kind.joined(right.kind);
+        let kind = match operator {
+            Operator::Divide if !has_types => Kind::Float,
+            // The power of an integer to a negative one is no integer.
+            Operator::Power if !has_types && right.integer().is_none_or(|n| n < 0) => {
+                Kind::Unknown.joined(kind)
+            }
+            _ => kind,
+        };
+        // A quotient that a correction puts in is one of real numbers.
+        let truncates = is_division && has_types && kind != Kind::Float && place != NOWHERE;
+        if is_division && right.is_zero() {
             let message = "this divides by zero";
             return Err(self.refused(place, message, "give a divisor that is not zero"));
         }
@@ -125,13 +180,18 @@ impl Runner<'_> {
             _ => None,
         };
         if truncates && !folded.as_ref().is_some_and(Rational::is_integer) {
-            let message = "this division of integers rounds";
+            let message = match kind {
+                Kind::Whole => "this division of integers rounds",
+                _ => "this may be a division of integers, which rounds",
+            };
             let help = "divide numbers with a point, `1.0/2.0`, or convert before: `n as f64`";
             return Err(self.refused(place, message, help));
         }
         if let Some(value) = folded {
-            let is_whole = left.is_whole && right.is_whole && value.is_integer();
-            return Ok(Term::number(value, is_whole));
+            return Ok(Term {
+                kind,
+                ..Term::number(value, false)
+            });
         }
         if operator == Operator::Power
             && let Some(exponent) = &right.constant
@@ -139,7 +199,10 @@ impl Runner<'_> {
         {
             return self.root(left, exponent, place);
         }
-        Ok(left.joined(operator, right))
+        Ok(Term {
+            kind,
+            ..left.joined(operator, right)
+        })
     }
 
     /// A power with an exponent of one half.
@@ -158,7 +221,16 @@ impl Runner<'_> {
     /// An entry of a list, a point, or a family.
     pub(super) fn entry(&mut self, list: Value, index: Value, place: Place) -> Read<Value> {
         match list {
-            Value::List(items) | Value::Vector(items) => {
+            Value::List(list) if list.shape == Shape::Iterator => {
+                let message = "an iterator has no entries, and is gone through once";
+                Err(self.refused(place, message, "make a list of it: `q = list(p)`"))
+            }
+            Value::List(list) if list.has_rows() => {
+                let message = "one index counts all entries of a matrix of SymPy, row by row";
+                Err(self.refused(place, message, "write both indices: `M[i, j]`"))
+            }
+            Value::List(list) => {
+                let items = list.values;
                 let index = self.constant(&index, place)?;
                 let count = items.len();
                 let is_python = self.program.language == CodeLanguage::Python;
@@ -187,7 +259,7 @@ impl Runner<'_> {
                 let position = i64::try_from(position).unwrap_or(0) + 1;
                 let indices = vec![Expr::number(&integer(position))];
                 let expr = Expr::made(Node::Index(Arc::new(term.expr), indices));
-                self.bounded(Term::formula(expr, false), place)
+                self.bounded(Term::formula(expr, term.kind), place)
             }
             Value::Truth(_) => Err(self.refused(place, "this has no entries", "name a list")),
         }
@@ -229,7 +301,45 @@ impl Runner<'_> {
         }
         let head = Arc::new(Expr::name(&family.name));
         let expr = Expr::made(Node::Index(head, family.given));
-        self.bounded(Term::formula(expr, false), place)
+        let member = Term {
+            is_point: family.is_of_points,
+            ..Term::formula(expr, family.kind)
+        };
+        // The same array each time, which was made outside.
+        Ok(self.bounded(member, place)?.foreign())
+    }
+
+    /// An entry with several indices in one pair of brackets.
+    pub(super) fn entries(
+        &mut self,
+        value: Value,
+        indices: Vec<(Value, Place)>,
+        place: Place,
+    ) -> Read<Value> {
+        let several = indices.len() > 1 && self.program.language == CodeLanguage::Python;
+        let mut value = match value {
+            Value::List(list) if several && list.has_rows() && indices.len() == 2 => {
+                Value::List(List {
+                    shape: Shape::Vector,
+                    ..list
+                })
+            }
+            Value::List(list) if several && list.shape != Shape::Vector => {
+                let message = "a list has one index in a pair of brackets";
+                return Err(self.refused(place, message, "write `m[i][j]`"));
+            }
+            other => other,
+        };
+        for (index, place) in indices {
+            if let Value::List(list) = &mut value
+                && list.shape == Shape::Matrix
+                && several
+            {
+                list.shape = Shape::Vector;
+            }
+            value = self.entry(value, index, place)?;
+        }
+        Ok(value)
     }
 
     /// All members of a family whose last range is fixed.
@@ -259,7 +369,9 @@ impl Runner<'_> {
             .map(|count| (count.as_number(), parse(&count.to_string())))
         {
             Some((Some(count), _)) => Ok(Value::Term(Term::number(integer(count), true))),
-            Some((None, Ok(count))) => Ok(Value::Term(Term::formula(count.placeless(), true))),
+            Some((None, Ok(count))) => {
+                Ok(Value::Term(Term::formula(count.placeless(), Kind::Whole)))
+            }
             _ => {
                 let message = format!("how many members `{}` has is not declared", family.name);
                 Err(self.refused(place, message, "pass the number as a parameter"))

@@ -22,12 +22,12 @@ impl Runner<'_> {
         place: Place,
         frame: &Frame,
     ) -> Read<()> {
-        let (escapes, calls) = (self.escapes, self.calls);
-        // What an assertion does with lists changes nothing, and an index of a sum is no symbol outside of it.
+        let calls = self.calls;
+        // An index of a sum is no symbol outside of it.
         let condition = condition.filter(|_| self.bound.is_empty());
         let demand =
             condition.and_then(|condition| self.demand(condition, &mut frame.clone()).ok());
-        (self.escapes, self.calls) = (escapes, calls);
+        self.calls = calls;
         match demand {
             Some(Demand::Constant(true)) => {}
             Some(Demand::Constant(false)) => {
@@ -61,6 +61,10 @@ impl Runner<'_> {
                         let message = format!("{} is compared with {}", left.kind(), right.kind());
                         return Err(self.refused(condition.place, message, "numbers are compared"));
                     };
+                    if a.is_point || b.is_point {
+                        let message = "arrays are compared entry by entry";
+                        return Err(self.refused(condition.place, message, "numbers are compared"));
+                    }
                     let one = match (&a.constant, &b.constant) {
                         (Some(a), Some(b)) => Demand::Constant(holds(*relation, a, b)),
                         _ => Demand::Formula(Expr::made(Node::Compare(

@@ -3,26 +3,24 @@
 //! Loops over constants are unrolled, branches on constants are taken, functions of the file are called. Whatever depends on the
 //! value of a symbol otherwise is refused. Numbers are exact: nothing rounds or overflows.
 //!
-//! Lists are values here, and shared objects in Python. So a list may be changed only as long as one name has it
-//! ([`Variable::is_fresh`]): a program that changes a list under two names is refused.
+//! Lists are values here, and shared objects in Python, see [`objects`].
 
 mod arithmetic;
 mod demands;
 mod functions;
+mod objects;
 pub(crate) mod setting;
 pub(crate) mod value;
 
 use crate::grammar::{Read, small};
-use crate::program::{
-    Assignment, CodeLanguage, Function, Program, Step, Target, operation, refused,
-};
+use crate::program::{Assignment, CodeLanguage, Function, Kind, Program, Step, operation, refused};
 use setting::Setting;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use torse_numbers::rational::integer;
 use torse_numbers::{Rational, stack};
 use torse_syntax::derivation::DerivationError;
 use torse_syntax::formula::{Connective, Expr, Node, Place, Relation};
-use value::{Term, Value};
+use value::{FOREIGN, Object, Shape, Term, Value};
 
 /// The most steps of a run: evaluated parts of formulas, with what loops repeat.
 pub const MAX_CODE_STEPS: usize = 200_000;
@@ -89,25 +87,21 @@ fn free_names(expr: &Expr) -> Vec<String> {
     }
 }
 
-/// A variable of a function.
-#[derive(Debug, Clone)]
-struct Variable {
-    value: Value,
-    /// Whether no other name can have this list, so that it may be changed.
-    is_fresh: bool,
-}
-
 /// The variables of a call.
 #[derive(Debug, Clone, Default)]
 struct Frame {
-    variables: BTreeMap<String, Variable>,
+    variables: BTreeMap<String, Value>,
     /// What blocks have hidden, to be restored at their ends.
-    hidden: Vec<(String, Option<Variable>)>,
+    hidden: Vec<(String, Option<Value>)>,
+    /// The names that the function assigns somewhere.
+    locals: BTreeSet<String>,
+    /// The first object that is made in this call: only those from here on are changed.
+    first: Object,
 }
 
 impl Frame {
-    fn hide(&mut self, name: &str, variable: Variable) {
-        let outer = self.variables.insert(name.to_owned(), variable);
+    fn hide(&mut self, name: &str, value: Value) {
+        let outer = self.variables.insert(name.to_owned(), value);
         self.hidden.push((name.to_owned(), outer));
     }
 
@@ -130,8 +124,9 @@ struct Runner<'p> {
     setting: Setting<'p>,
     steps: usize,
     calls: usize,
-    /// How many lists got a second name so far.
-    escapes: usize,
+    /// The objects made so far, and those that were changed under a name: what other names have is out of date.
+    objects: Object,
+    changed: BTreeSet<Object>,
     /// The indices of sums around.
     bound: Vec<String>,
     demands: Vec<Expr>,
@@ -145,7 +140,8 @@ impl<'p> Runner<'p> {
             setting,
             steps: 0,
             calls: 0,
-            escapes: 0,
+            objects: FOREIGN,
+            changed: BTreeSet::new(),
             bound: vec![],
             demands: vec![],
             unread_demand: None,
@@ -198,9 +194,12 @@ impl Runner<'_> {
         Err(self.refused(place, message, help))
     }
 
-    /// A term, unless it is larger than formulas may be.
-    fn bounded(&self, term: Term, place: Place) -> Read<Value> {
+    /// A new term, unless it is larger than formulas may be.
+    fn bounded(&mut self, mut term: Term, place: Place) -> Read<Value> {
         if term.size <= MAX_CODE_NODES && term.height <= MAX_LEVELS {
+            if term.is_point {
+                term.object = self.object();
+            }
             return Ok(Value::Term(term));
         }
         let message = format!(
@@ -232,28 +231,34 @@ impl Runner<'_> {
             return Err(self.refused(place, message, "leave the others out"));
         }
         let body = function.body.as_ref().map_err(Clone::clone)?;
-        let mut frame = Frame::default();
+        let mut frame = Frame {
+            locals: function.locals.clone(),
+            ..Frame::default()
+        };
         let mut arguments = arguments.into_iter();
         for parameter in &function.parameters {
             let value = match (arguments.next().flatten(), &parameter.default) {
-                (Some(value), _) => value,
-                (None, Some(default)) => self.value(default, &mut Frame::default())?,
+                (Some(value), _) => value.typed(&parameter.declared),
+                // The same object in each call.
+                (None, Some(default)) => self.value(default, &mut Frame::default())?.foreign(),
                 (None, None) => {
                     let message = format!("the argument `{}` is missing", parameter.name);
                     return Err(self.refused(place, message, "give it by its place"));
                 }
             };
-            let variable = Variable {
-                value,
-                is_fresh: self.is_rust(),
-            };
-            frame.variables.insert(parameter.name.clone(), variable);
+            frame.variables.insert(parameter.name.clone(), value);
         }
+        frame.first = self.object();
         let value = self.run(body, &mut frame)?;
         self.calls -= 1;
-        value.ok_or_else(|| {
+        let value = value.ok_or_else(|| {
             let message = format!("`{}` ends without a value", function.name);
             self.refused(function.place, message, "return a value in every case")
+        })?;
+        let value = value.typed(&function.result);
+        Ok(match function.is_cached {
+            true => value.foreign(),
+            false => value,
         })
     }
 
@@ -262,15 +267,8 @@ impl Runner<'_> {
         for step in steps {
             match step {
                 Step::Assign { target, value, how } => {
-                    let before = self.escapes;
-                    let taken = matches!(value.node, Node::Index(..));
                     let computed = self.value(value, frame)?;
-                    let is_fresh = self.is_rust() || (before == self.escapes && !taken);
-                    let variable = Variable {
-                        value: computed,
-                        is_fresh,
-                    };
-                    self.assign(target, variable, *how, frame)?;
+                    self.assign(target, computed, *how, frame)?;
                 }
                 Step::Repeat {
                     variable,
@@ -278,14 +276,21 @@ impl Runner<'_> {
                     body,
                 } => {
                     let all = self.value(values, frame)?;
+                    let mut sources = vec![];
+                    if let Value::List(list) = &all {
+                        sources.push(list.object);
+                        sources.extend(&list.sources);
+                    }
                     for value in self.items(all, values.place)? {
                         self.spend(values.place)?;
+                        if sources.iter().any(|source| self.changed.contains(source)) {
+                            let message = "the list is changed while the loop goes through it";
+                            let help = "go through a copy of it: `for p in list(P)`";
+                            return Err(self.refused(values.place, message, help));
+                        }
+                        self.is_current(&value, values.place)?;
                         let outer = frame.hidden.len();
-                        let item = Variable {
-                            value,
-                            is_fresh: false,
-                        };
-                        self.assign(variable, item, self.block(), frame)?;
+                        self.assign(variable, value, self.block(), frame)?;
                         let value = self.run(body, frame)?;
                         frame.restore(outer);
                         if value.is_some() {
@@ -310,7 +315,10 @@ impl Runner<'_> {
                         return Ok(value);
                     }
                 }
-                Step::Return(value) => return self.value(value, frame).map(Some),
+                Step::Return(expr) => {
+                    let value = self.value(expr, frame)?;
+                    return self.settled(value, expr.place).map(Some);
+                }
                 Step::Stop(place) => {
                     let message = "the function ends here without a value";
                     let help = "give it arguments for which it has one";
@@ -324,127 +332,12 @@ impl Runner<'_> {
         Ok(None)
     }
 
-    /// Whether the language itself sees to it that a list is changed under one name alone.
-    fn is_rust(&self) -> bool {
-        self.program.language == CodeLanguage::Rust
-    }
-
     /// How the variable of a loop is assigned.
     fn block(&self) -> Assignment {
         match self.program.language {
             CodeLanguage::Python => Assignment::Set,
             CodeLanguage::Rust => Assignment::Declare,
         }
-    }
-
-    fn assign(
-        &mut self,
-        target: &Target,
-        variable: Variable,
-        how: Assignment,
-        frame: &mut Frame,
-    ) -> Read<()> {
-        match target {
-            Target::Name(name, place) => {
-                let old = frame.variables.get(name);
-                let shared = old.is_some_and(|old| old.value.is_list() && !old.is_fresh);
-                if how == Assignment::InPlace && shared {
-                    return Err(self.shared(name, *place));
-                }
-                // What is changed where it is stays the list of this name alone.
-                let is_fresh = variable.is_fresh || how == Assignment::InPlace;
-                let variable = Variable {
-                    is_fresh,
-                    ..variable
-                };
-                match how {
-                    Assignment::Declare => frame.hide(name, variable),
-                    _ => drop(frame.variables.insert(name.clone(), variable)),
-                }
-                Ok(())
-            }
-            Target::Several(targets, place) => {
-                let values = match variable.value {
-                    Value::List(values) | Value::Vector(values)
-                        if values.len() == targets.len() =>
-                    {
-                        values
-                    }
-                    other => {
-                        let message = format!("{} names for {}", targets.len(), other.kind());
-                        let help = "there are as many values as names";
-                        return Err(self.refused(*place, message, help));
-                    }
-                };
-                for (target, value) in targets.iter().zip(values) {
-                    let one = Variable {
-                        value,
-                        is_fresh: self.is_rust(),
-                    };
-                    self.assign(target, one, how, frame)?;
-                }
-                Ok(())
-            }
-            Target::Entry(name, indices, place) => {
-                let places = self.places(indices, frame)?;
-                let Some(list) = frame.variables.get_mut(name) else {
-                    let message = format!("`{name}` has no value here");
-                    return Err(self.refused(*place, message, "make the list before"));
-                };
-                if !list.is_fresh {
-                    return Err(self.shared(name, *place));
-                }
-                // A list inside of a list could have another name.
-                let is_own = variable.is_fresh || !variable.value.is_list();
-                list.is_fresh = is_own || self.program.language == CodeLanguage::Rust;
-                if let Value::Vector(items) = &list.value
-                    && self.program.language == CodeLanguage::Python
-                    && items.iter().all(is_whole)
-                    && !is_whole(&variable.value)
-                {
-                    let message =
-                        format!("`{name}` is an array of integers, in which numbers are cut off");
-                    let help = "write its entries with a point: `array([0.0, 0.0])`";
-                    return Err(self.refused(*place, message, help));
-                }
-                let mut slot = &mut list.value;
-                for (index, at) in places {
-                    let (Value::List(items) | Value::Vector(items)) = slot else {
-                        let message = format!("{} has no entries that can be changed", slot.kind());
-                        return Err(self.refused(at, message, "make a list: `q = list(p)`"));
-                    };
-                    let count = items.len();
-                    let is_python = self.program.language == CodeLanguage::Python;
-                    let position = position(index, count, is_python);
-                    let Some(entry) = position.and_then(|position| items.get_mut(position)) else {
-                        let message = format!("there is no entry {index} among {count}");
-                        return Err(self.refused(at, message, "entries are counted from 0"));
-                    };
-                    slot = entry;
-                }
-                *slot = variable.value;
-                Ok(())
-            }
-        }
-    }
-
-    fn shared(&self, name: &str, place: Place) -> Box<DerivationError> {
-        let message = format!("`{name}` is a list that may have another name, and is changed here");
-        self.refused(
-            place,
-            message,
-            format!("make a copy of it before: `q = list({name})`"),
-        )
-    }
-
-    /// Indices that are constants, each with its place.
-    fn places(&mut self, indices: &[Expr], frame: &mut Frame) -> Read<Vec<(i64, Place)>> {
-        let mut found = vec![];
-        for index in indices {
-            let value = self.value(index, frame)?;
-            found.push((self.constant(&value, index.place)?, index.place));
-        }
-        Ok(found)
     }
 
     /// An integer that is written down or fixed.
@@ -463,7 +356,12 @@ impl Runner<'_> {
     /// The values that a loop goes through.
     fn items(&mut self, values: Value, place: Place) -> Read<Vec<Value>> {
         match values {
-            Value::List(items) | Value::Vector(items) => Ok(items),
+            Value::List(list) if list.has_rows() => {
+                let message = "SymPy goes through all entries of a matrix, row by row";
+                let help = "write indices: `M[i, j]`";
+                Err(self.refused(place, message, help))
+            }
+            Value::List(list) => Ok(list.values),
             Value::Family(family) => self.members(&family, place),
             other => {
                 let message = format!(
@@ -504,29 +402,20 @@ impl Runner<'_> {
                 self.combined(*operator, left, right, expr.place)
             }
             Node::List(items) => {
-                let items = items.iter().map(|item| self.value(item, frame));
-                Ok(Value::List(items.collect::<Read<_>>()?))
+                let mut values = vec![];
+                for item in items {
+                    let value = self.value(item, frame)?;
+                    values.push(self.settled(value, item.place)?);
+                }
+                Ok(self.list(Shape::List, values))
             }
             Node::Index(head, indices) => {
-                let list = match &head.node {
-                    Node::Name(name) if frame.variables.contains_key(name) => {
-                        let variable = frame.variables.get(name);
-                        variable.map(|variable| variable.value.clone())
-                    }
-                    _ => None,
-                };
-                let mut value = match list {
-                    Some(list) => list,
-                    None => self.value(head, frame)?,
-                };
+                let list = self.value(head, frame)?;
+                let mut all = vec![];
                 for index in indices {
-                    let at = self.value(index, frame)?;
-                    value = self.entry(value, at, index.place)?;
+                    all.push((self.value(index, frame)?, index.place));
                 }
-                if value.is_list() {
-                    self.escapes += 1;
-                }
-                Ok(value)
+                self.entries(list, all, expr.place)
             }
             Node::Compare(first, rest) => self.comparison(first, rest, frame).map(Value::Truth),
             Node::Join(connective, left, right) => {
@@ -543,23 +432,25 @@ impl Runner<'_> {
     }
 
     fn name(&mut self, name: &str, place: Place, frame: &mut Frame) -> Read<Value> {
-        if let Some(variable) = frame.variables.get_mut(name) {
-            if variable.value.is_list() && self.program.language == CodeLanguage::Python {
-                variable.is_fresh = false;
-                self.escapes += 1;
+        if let Some(value) = frame.variables.get(name) {
+            if !self.changed.is_empty() && self.is_current(value, place).is_err() {
+                return Err(self.stale(name, place));
             }
-            return Ok(variable.value.clone());
+            return Ok(value.clone());
         }
         match name {
-            operation::PI => return Ok(Value::Term(Term::formula(Expr::name("pi"), false))),
+            operation::PI => return Ok(Value::Term(Term::formula(Expr::name("pi"), Kind::Float))),
             operation::TRUE => return Ok(Value::Truth(true)),
             operation::FALSE => return Ok(Value::Truth(false)),
             _ => {}
         }
+        if frame.locals.contains(name) {
+            let message = format!("`{name}` has no value here: the function assigns it later");
+            return Err(self.refused(place, message, "assign it before"));
+        }
         let program = self.program;
-        let outside = program.constants.iter().rev();
-        let mut outside = outside.filter(|(known, _)| known == name);
-        let Some((_, value)) = outside.next() else {
+        let constant = program.constants.iter().find(|own| own.name == name);
+        let Some(constant) = constant else {
             let message = format!("`{name}` has no value here that is read");
             let help = "names are parameters, variables that are assigned before, and constants of this file that are assigned once";
             return Err(self.refused(place, message, help));
@@ -569,12 +460,15 @@ impl Runner<'_> {
             let message = format!("the constant `{name}` depends on itself");
             return Err(self.refused(place, message, "give it a value"));
         }
-        let value = self.value(value, &mut Frame::default());
+        let value = self.value(&constant.value, &mut Frame::default());
         self.calls -= 1;
-        if value.as_ref().is_ok_and(Value::is_list) {
-            self.escapes += 1;
+        let value = value?.foreign();
+        if value.is_list() && !constant.is_only_read {
+            let message = format!("the list `{name}` may be changed after it was made");
+            let help = "what is done with a list outside of functions, or with a list of all functions, has to be the reading of its entries";
+            return Err(self.refused(place, message, help));
         }
-        value
+        self.settled(value, place)
     }
 
     fn comparison(
@@ -625,11 +519,6 @@ fn position(index: i64, count: usize, counts_from_the_end: bool) -> Option<usize
     usize::try_from(index)
         .ok()
         .filter(|index| (*index as i64) < count)
-}
-
-/// Whether a value has the type of integers.
-fn is_whole(value: &Value) -> bool {
-    matches!(value, Value::Term(term) if term.is_whole)
 }
 
 /// The number one, as an integer.

@@ -1,14 +1,17 @@
 //! What the names of a program's parameters and symbols stand for in a claim.
 
-use super::value::{Family, Term, Value};
+use super::value::{FOREIGN, Family, List, Shape, Term, Value};
 use crate::grammar::Read;
-use crate::program::{Function, Parameter, Program, refused};
+use crate::program::{Function, Kind, Parameter, Program, refused};
 use std::collections::BTreeMap;
 use torse_numbers::Affine;
 use torse_numbers::rational::integer;
 use torse_syntax::derivation::declarations::{Declarations, SymbolKind};
 use torse_syntax::formula::{Expr, Node};
 use torse_syntax::greek;
+
+/// The deepest definition within definitions that is looked into.
+const MAX_DEPTH: usize = 64;
 
 /// The claim's side of a comparison.
 #[derive(Debug, Clone, Copy)]
@@ -60,7 +63,7 @@ impl Setting<'_> {
     /// The value of one parameter; none where its default is taken.
     fn argument(&self, program: &Program, parameter: &Parameter) -> Read<Option<Value>> {
         match self.symbol(&parameter.name) {
-            Ok(value) => Ok(Some(whole(value, parameter.is_integer))),
+            Ok(value) => Ok(Some(value.typed(&parameter.declared))),
             Err(_) if parameter.default.is_some() => Ok(None),
             Err(message) => {
                 let help = format!(
@@ -119,8 +122,10 @@ impl Setting<'_> {
             return Value::Term(Term::number(integer(*value), true));
         }
         match self.declarations.symbol(name) {
-            Some(SymbolKind::Family { ranges, .. }) => Value::Family(Family {
+            Some(SymbolKind::Family { ranges, dimension }) => Value::Family(Family {
                 name: name.to_owned(),
+                is_of_points: *dimension != Some(1),
+                kind: Kind::Float,
                 ranges: ranges
                     .iter()
                     .map(|(low, high)| (self.at(low), self.at(high)))
@@ -129,7 +134,10 @@ impl Setting<'_> {
             }),
             kind => {
                 let is_whole = matches!(kind, Some(SymbolKind::Integer { .. }));
-                Value::Term(Term::formula(Expr::name(name), is_whole))
+                Value::Term(Term {
+                    is_point: self.may_be_point(&Expr::name(name), 0),
+                    ..Term::formula(Expr::name(name), Kind::of(is_whole))
+                })
             }
         }
     }
@@ -137,12 +145,56 @@ impl Setting<'_> {
     /// The value of a formula that a name stands for.
     fn formula(&self, formula: &Expr) -> Value {
         match &formula.node {
-            Node::List(items) => Value::List(items.iter().map(|item| self.formula(item)).collect()),
+            Node::List(items) => Value::List(List {
+                values: items.iter().map(|item| self.formula(item)).collect(),
+                shape: Shape::Either,
+                object: FOREIGN,
+                sources: vec![],
+            }),
             Node::Name(name) => self.named(name),
             Node::Number { value, .. } => {
                 Value::Term(Term::number(value.clone(), value.is_integer()))
             }
-            _ => Value::Term(Term::formula(formula.placeless(), false)),
+            _ => Value::Term(Term {
+                is_point: self.may_be_point(formula, 0),
+                ..Term::formula(formula.placeless(), Kind::Float)
+            }),
+        }
+    }
+
+    /// Whether a formula of the claim may be a point.
+    fn may_be_point(&self, formula: &Expr, depth: usize) -> bool {
+        if depth > MAX_DEPTH {
+            return true;
+        }
+        let inner = |part: &Expr| self.may_be_point(part, depth + 1);
+        match &formula.node {
+            Node::Number { .. } | Node::Compare(..) | Node::Join(..) | Node::Not(_) => false,
+            Node::Name(name) => match self.declarations.symbol(name) {
+                Some(SymbolKind::Vector(_)) => true,
+                Some(SymbolKind::Family { dimension, .. }) => *dimension != Some(1),
+                Some(_) => false,
+                None => {
+                    let definition = self.declarations.definition(name);
+                    let function = self.declarations.function(name);
+                    definition.is_some_and(|own| inner(&own.body.expr))
+                        || function.is_some_and(|dimension| dimension != Some(1))
+                }
+            },
+            Node::Negative(part) => inner(part),
+            Node::Binary(_, left, right) => inner(left) || inner(right),
+            Node::List(_) => true,
+            Node::Index(head, _) => match &head.node {
+                Node::Name(name) => match self.declarations.symbol(name) {
+                    Some(SymbolKind::Vector(_)) => false,
+                    _ => inner(head),
+                },
+                _ => false,
+            },
+            Node::Call(head, arguments) => match &head.node {
+                Node::Name(name) if name == "dot" => false,
+                _ => inner(head) || arguments.iter().any(inner),
+            },
         }
     }
 
@@ -170,17 +222,6 @@ impl Setting<'_> {
             },
             _ => None,
         }
-    }
-}
-
-/// A parameter that is declared as an integer has the type of one.
-fn whole(value: Value, is_integer: bool) -> Value {
-    match value {
-        Value::Term(term) => Value::Term(Term {
-            is_whole: term.is_whole || is_integer,
-            ..term
-        }),
-        other => other,
     }
 }
 

@@ -1,6 +1,7 @@
 //! Values of a program that is run on symbols.
 
 use crate::grammar::small;
+use crate::program::{Kind, Type};
 use num_traits::{Signed, Zero};
 use std::sync::Arc;
 use torse_numbers::{Affine, Rational};
@@ -12,13 +13,42 @@ pub(crate) enum Value {
     /// A number or a point, as a formula of the claim's symbols.
     Term(Term),
     Truth(bool),
-    /// A list or a tuple.
-    List(Vec<Value>),
-    /// A list that is added and multiplied by numbers entry by entry.
-    Vector(Vec<Value>),
+    List(List),
     /// A family of the claim, with the indices that are given so far.
     Family(Family),
 }
+
+/// A list, a tuple, or an array.
+#[derive(Debug, Clone)]
+pub(crate) struct List {
+    pub(crate) values: Vec<Value>,
+    pub(crate) shape: Shape,
+    /// The object that it is: names of one object show its changes. Parts of an array are the object that the array is.
+    pub(crate) object: Object,
+    /// The objects that are read only when this is gone through.
+    pub(crate) sources: Vec<Object>,
+}
+
+/// What a list does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// It is joined to others by `+`.
+    List,
+    /// An array: added and multiplied by numbers entry by entry, and its parts are no copies.
+    Vector,
+    /// A matrix of SymPy: one index counts its entries row by row.
+    Matrix,
+    /// It is gone through once.
+    Iterator,
+    /// A list or an array: what both do alike is read.
+    Either,
+}
+
+/// The number of an object, in the order in which they are made.
+pub(crate) type Object = usize;
+
+/// What was made outside of the function that is compared.
+pub(crate) const FOREIGN: Object = 0;
 
 /// A formula with its size and height.
 #[derive(Debug, Clone)]
@@ -26,8 +56,12 @@ pub(crate) struct Term {
     pub(crate) expr: Expr,
     pub(crate) size: usize,
     pub(crate) height: usize,
-    /// Whether it has the type of integers.
-    pub(crate) is_whole: bool,
+    /// The type of its numbers.
+    pub(crate) kind: Kind,
+    /// Whether it may be a point, which is an array in programs.
+    pub(crate) is_point: bool,
+    /// The object that it is, if it is a point.
+    pub(crate) object: Object,
     /// Its value, if it is a number that is written down.
     pub(crate) constant: Option<Rational>,
 }
@@ -39,6 +73,10 @@ pub(crate) struct Family {
     /// The range of each index, both ends included, if it is declared.
     pub(crate) ranges: Vec<(Affine, Affine)>,
     pub(crate) given: Vec<Expr>,
+    /// Whether its members may be points.
+    pub(crate) is_of_points: bool,
+    /// The type of its numbers.
+    pub(crate) kind: Kind,
 }
 
 impl Term {
@@ -50,18 +88,22 @@ impl Term {
             expr,
             size: if is_leaf { 1 } else { 3 },
             height: if is_leaf { 1 } else { 2 },
-            is_whole,
+            kind: Kind::of(is_whole),
+            is_point: false,
+            object: FOREIGN,
             constant: Some(value),
         }
     }
 
-    /// A formula that is no number.
-    pub(crate) fn formula(expr: Expr, is_whole: bool) -> Self {
+    /// A formula of numbers that is no number written down.
+    pub(crate) fn formula(expr: Expr, kind: Kind) -> Self {
         Self {
             size: expr.size(),
             height: height(&expr),
             expr,
-            is_whole,
+            kind,
+            is_point: false,
+            object: FOREIGN,
             constant: None,
         }
     }
@@ -76,7 +118,9 @@ impl Term {
             expr: Expr::made(Node::Call(head, arguments.collect())),
             size,
             height,
-            is_whole: false,
+            kind: Kind::Float,
+            is_point: false,
+            object: FOREIGN,
             constant: None,
         }
     }
@@ -86,7 +130,9 @@ impl Term {
         Self {
             size: self.size + other.size + 1,
             height: self.height.max(other.height) + 1,
-            is_whole: self.is_whole && other.is_whole,
+            kind: self.kind.joined(other.kind),
+            is_point: self.is_point || other.is_point,
+            object: FOREIGN,
             constant: None,
             expr: self.expr.with(operator, other.expr),
         }
@@ -94,12 +140,17 @@ impl Term {
 
     pub(crate) fn negative(self) -> Self {
         if let Some(value) = self.constant {
-            return Self::number(-value, self.is_whole);
+            return Self {
+                kind: self.kind,
+                ..Self::number(-value, false)
+            };
         }
         Self {
             size: self.size + 1,
             height: self.height + 1,
-            is_whole: self.is_whole,
+            kind: self.kind,
+            is_point: self.is_point,
+            object: FOREIGN,
             constant: None,
             expr: Expr::made(Node::Negative(Arc::new(self.expr))),
         }
@@ -125,8 +176,10 @@ impl Value {
     pub(crate) fn formula(self) -> Option<Term> {
         match self {
             Self::Term(term) => Some(term),
-            Self::List(items) | Self::Vector(items) => {
-                let items: Vec<Term> = items
+            Self::List(list) if list.shape == Shape::Iterator => None,
+            Self::List(list) => {
+                let items: Vec<Term> = list
+                    .values
                     .into_iter()
                     .map(Self::formula)
                     .collect::<Option<_>>()?;
@@ -140,7 +193,9 @@ impl Value {
                     },
                     size,
                     height,
-                    is_whole: false,
+                    kind: Kind::Unknown,
+                    is_point: true,
+                    object: FOREIGN,
                     constant: None,
                 })
             }
@@ -151,16 +206,117 @@ impl Value {
     /// What it is, in words.
     pub(crate) fn kind(&self) -> &'static str {
         match self {
+            Self::Term(term) if term.is_point => "a point",
             Self::Term(_) => "a number",
             Self::Truth(_) => "true or false",
-            Self::List(_) => "a list",
-            Self::Vector(_) => "a vector",
+            Self::List(list) => match list.shape {
+                Shape::List => "a list",
+                Shape::Vector => "a vector",
+                Shape::Matrix => "a matrix",
+                Shape::Iterator => "an iterator",
+                Shape::Either => "a list or an array",
+            },
             Self::Family(_) => "a family of points",
         }
     }
 
     /// Whether it is a list that can be changed.
     pub(crate) fn is_list(&self) -> bool {
-        matches!(self, Self::List(_) | Self::Vector(_))
+        matches!(self, Self::List(_))
+    }
+
+    /// The objects that it consists of.
+    pub(crate) fn objects(&self, into: &mut Vec<Object>) {
+        match self {
+            Self::List(list) => {
+                into.push(list.object);
+                into.extend(&list.sources);
+                list.values.iter().for_each(|value| value.objects(into));
+            }
+            Self::Term(term) if term.is_point => into.push(term.object),
+            _ => {}
+        }
+    }
+
+    /// The same as an object that was made outside of the function.
+    pub(crate) fn foreign(self) -> Self {
+        match self {
+            Self::List(list) => Self::List(List {
+                object: FOREIGN,
+                values: list.values.into_iter().map(Self::foreign).collect(),
+                ..list
+            }),
+            Self::Term(term) => Self::Term(Term {
+                object: FOREIGN,
+                ..term
+            }),
+            other => other,
+        }
+    }
+
+    /// The same with numbers of a declared type.
+    pub(crate) fn typed(self, declared: &Type) -> Self {
+        match (self, declared) {
+            (value, Type::Open) => value,
+            (Self::List(list), Type::Tuple(types)) if list.values.len() == types.len() => {
+                let pairs = list.values.into_iter().zip(types);
+                let values = pairs.map(|(value, own)| value.typed(own)).collect();
+                Self::List(List { values, ..list })
+            }
+            (Self::List(list), own) => {
+                let inner = match own {
+                    Type::Each(inner) => inner,
+                    other => other,
+                };
+                let values = list.values.into_iter().map(|value| value.typed(inner));
+                Self::List(List {
+                    values: values.collect(),
+                    ..list
+                })
+            }
+            (Self::Term(term), own) => Self::Term(Term {
+                kind: own.number(),
+                ..term
+            }),
+            (Self::Family(family), own) => Self::Family(Family {
+                kind: own.number(),
+                ..family
+            }),
+            (truth, _) => truth,
+        }
+    }
+
+    /// Whether no number of it has the type of floating-point numbers.
+    pub(crate) fn is_without_floats(&self) -> bool {
+        match self {
+            Self::Term(term) => term.kind != Kind::Float,
+            Self::List(list) => list.values.iter().all(Self::is_without_floats),
+            _ => true,
+        }
+    }
+
+    /// Whether all its numbers have the type of integers.
+    pub(crate) fn is_whole(&self) -> bool {
+        match self {
+            Self::Term(term) => term.kind == Kind::Whole,
+            Self::List(list) => list.values.iter().all(Self::is_whole),
+            _ => false,
+        }
+    }
+}
+
+impl List {
+    /// Whether it has entries that are lists or points.
+    pub(crate) fn is_nested(&self) -> bool {
+        let mut values = self.values.iter();
+        values.any(|value| match value {
+            Value::Term(term) => term.is_point,
+            _ => true,
+        })
+    }
+
+    /// Whether it is a matrix of several rows and columns.
+    pub(crate) fn has_rows(&self) -> bool {
+        self.shape == Shape::Matrix && self.is_nested()
     }
 }

@@ -1,6 +1,7 @@
 //! Expressions of Rust.
 
-use super::names::{constant, elementary, is_float, is_integer};
+use super::names::{constant, elementary};
+use super::types::Aliases;
 use crate::grammar::{CodeNode, Read, Text, at, binary, children, place};
 use crate::program::{call, operation};
 use std::collections::BTreeSet;
@@ -17,6 +18,8 @@ pub(super) struct Reader<'s> {
     pub(super) imported: &'s BTreeSet<String>,
     /// The functions of the file.
     pub(super) functions: &'s BTreeSet<String>,
+    /// The types that the file names.
+    pub(super) aliases: &'s Aliases,
 }
 
 /// What is read, for messages.
@@ -147,7 +150,7 @@ impl Reader<'_> {
             }),
         };
         let digits = [
-            "usize", "isize", "u8", "u16", "u32", "u64", "i8", "i16", "i32", "i64",
+            "usize", "isize", "u8", "u16", "u32", "u64", "u128", "i8", "i16", "i32", "i64", "i128",
         ]
         .into_iter()
         .find_map(|kind| text.strip_suffix(kind))
@@ -213,10 +216,13 @@ impl Reader<'_> {
     fn cast(self, node: CodeNode<'_>) -> Read<Expr> {
         let value = self.expression(self.text.field(node, "value")?)?;
         let kind = self.text.field(node, "type")?;
-        match self.text.text(kind) {
-            kind if is_float(kind) => Ok(self.call(node, operation::FLOAT, vec![value])),
-            kind if is_integer(kind) => Ok(self.call(node, operation::WHOLE, vec![value])),
-            _ => Err(self.text.refused(kind, "this type is not read", READ)),
+        match self.aliases.number(self.text, kind).as_deref() {
+            Some("f64" | "f32") => Ok(self.call(node, operation::FLOAT, vec![value])),
+            Some(name) => {
+                let operation = format!("{}:{name}", operation::WHOLE);
+                Ok(self.call(node, &operation, vec![value]))
+            }
+            None => Err(self.text.refused(kind, "this type is not read", READ)),
         }
     }
 

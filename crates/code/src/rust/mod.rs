@@ -3,15 +3,36 @@
 mod expression;
 mod names;
 mod statement;
+mod types;
 
 use crate::grammar::{CodeNode, Read, Text, children, place, tree};
-use crate::program::{CodeLanguage, Function, Parameter, Program};
+use crate::program::{CodeLanguage, Constant, Function, Parameter, Program, Type};
 use expression::Reader;
-use names::{imported_constants, is_integer};
+use names::imported_constants;
 use statement::Ending;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_syntax::derivation::Source;
+use types::Aliases;
+
+/// Attributes that leave what is written as it is.
+const ATTRIBUTES: [&str; 15] = [
+    "allow",
+    "cold",
+    "deny",
+    "deprecated",
+    "doc",
+    "expect",
+    "forbid",
+    "inline",
+    "must_use",
+    "no_mangle",
+    "no_std",
+    "rustfmt::skip",
+    "track_caller",
+    "unsafe",
+    "warn",
+];
 
 /// Reads a file. What cannot be read of it is no error until it is asked for.
 pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
@@ -20,6 +41,7 @@ pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
     let items = children(tree.root_node());
     let mut imported = BTreeSet::new();
     let mut functions = BTreeSet::new();
+    let mut named = vec![];
     for item in &items {
         match item.kind() {
             "use_declaration" => imported.extend(imported_constants(text.text(*item))),
@@ -28,11 +50,16 @@ pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
             }
             _ => {}
         }
+        if let Some(name) = item.child_by_field_name("name") {
+            named.push(text.text(name));
+        }
     }
+    let aliases = Aliases::new(text, &items);
     let reader = Reader {
         text,
         imported: &imported,
         functions: &functions,
+        aliases: &aliases,
     };
     let mut program = Program {
         source: Arc::clone(source),
@@ -40,28 +67,86 @@ pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
         functions: vec![],
         constants: vec![],
     };
+    // An attribute of the file, or the one before an item, may leave the item out.
+    let mut of_file = Ok(());
+    let mut before: Read<()> = Ok(());
     for item in items {
+        let is_twice = |name: &str| named.iter().filter(|own| **own == name).count() > 1;
         match item.kind() {
-            "function_item" => program.functions.push(function(reader, item)?),
+            "inner_attribute_item" => of_file = of_file.and(attribute(text, item)),
+            "attribute_item" => before = before.and(attribute(text, item)),
+            "function_item" => {
+                let mut function = function(reader, item)?;
+                if is_twice(&function.name) {
+                    let message = format!("there are several things called `{}`", function.name);
+                    let help = "leave the other ones out, whatever their attributes say";
+                    let name = text.field(item, "name")?;
+                    function.body = Err(text.refused(name, message, help));
+                }
+                let attributes = of_file.clone().and(before);
+                function.body = attributes.and(function.body);
+                before = Ok(());
+                program.functions.push(function);
+            }
             "const_item" if text.check(item).is_ok() => {
                 let name = text.text(text.field(item, "name")?);
                 // What is not read here is missing where it is used.
-                if let Ok(value) = text.field(item, "value").and_then(|v| reader.expression(v)) {
-                    program.constants.push((name.to_owned(), value));
+                let value = text.field(item, "value").and_then(|v| reader.expression(v));
+                let attributes = of_file.clone().and(before).and(attributes(text, item));
+                if let (Ok(value), Ok(()), false) = (value, attributes, is_twice(name)) {
+                    program.constants.push(Constant {
+                        name: name.to_owned(),
+                        value,
+                        is_only_read: true,
+                    });
                 }
+                before = Ok(());
             }
-            _ => {}
+            _ => before = Ok(()),
         }
     }
     Ok(program)
+}
+
+/// Fails for an attribute that may leave out or change what it stands at.
+fn attribute(text: Text<'_>, node: CodeNode<'_>) -> Read<()> {
+    let inside = children(node).first().copied().unwrap_or(node);
+    let words = text.text(inside);
+    let name = words.split(['(', '=', ' ', '[']).next().unwrap_or(words);
+    if ATTRIBUTES.contains(&name) || name.starts_with("clippy::") {
+        return Ok(());
+    }
+    let message = format!("the attribute `{name}` may leave this out or change it");
+    Err(text.refused(node, message, "leave the attribute out"))
+}
+
+/// Fails for such an attribute within a node.
+fn attributes(text: Text<'_>, node: CodeNode<'_>) -> Read<()> {
+    let mut pending = vec![node];
+    while let Some(node) = pending.pop() {
+        if matches!(node.kind(), "attribute_item" | "inner_attribute_item") {
+            attribute(text, node)?;
+        }
+        let inner = children(node).into_iter().rev();
+        pending.extend(inner);
+    }
+    Ok(())
 }
 
 fn function(reader: Reader<'_>, node: CodeNode<'_>) -> Read<Function> {
     let text = reader.text;
     let name = text.field(node, "name")?;
     let mut parameters = vec![];
-    let mut body = text.check(node);
+    let mut body = text.check(node).and_then(|()| attributes(text, node));
+    let own = reader.aliases.within(text, node);
+    let reader = Reader {
+        aliases: &own,
+        ..reader
+    };
     for parameter in children(text.field(node, "parameters")?) {
+        if parameter.kind() == "attribute_item" {
+            continue;
+        }
         match read_parameter(reader, parameter) {
             Ok(read) => parameters.push(read),
             Err(error) => body = body.and(Err(error)),
@@ -69,10 +154,15 @@ fn function(reader: Reader<'_>, node: CodeNode<'_>) -> Read<Function> {
     }
     let block = text.field(node, "body");
     let body = body.and_then(|()| reader.steps(block?, Ending::Value));
+    let result = node.child_by_field_name("return_type");
+    let result = result.and_then(|kind| own.read(text, kind));
     Ok(Function {
         name: text.text(name).to_owned(),
         place: place(name),
         parameters,
+        result: result.unwrap_or(Type::Open),
+        locals: BTreeSet::new(),
+        is_cached: false,
         body,
     })
 }
@@ -84,15 +174,20 @@ fn read_parameter(reader: Reader<'_>, node: CodeNode<'_>) -> Read<Parameter> {
         let message = "this parameter is not read";
         return Err(text.refused(node, message, "give each parameter a name: `t: f64`"));
     };
-    let kind = text.text(text.field(node, "type")?);
-    if kind.starts_with("&mut") {
+    let kind = text.field(node, "type")?;
+    if text.text(kind).starts_with("&mut") {
         let message = "a parameter that is changed is not read";
         return Err(text.refused(node, message, "return the new value"));
     }
+    let declared = reader.aliases.read(text, kind).ok_or_else(|| {
+        let message = "this type is not read: whether it is one of integers is not known";
+        let help = "numbers, arrays, slices, `Vec`s and tuples of them are read: `t: f64`";
+        text.refused(kind, message, help)
+    })?;
     Ok(Parameter {
         name: text.text(name).to_owned(),
         place: place(name),
         default: None,
-        is_integer: is_integer(kind),
+        declared,
     })
 }

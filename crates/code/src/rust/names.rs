@@ -3,22 +3,6 @@
 use torse_numbers::rational::{integer, ratio};
 use torse_syntax::formula::{Expr, Operator};
 
-/// The types of integers.
-const INTEGERS: [&str; 12] = [
-    "usize", "isize", "u8", "u16", "u32", "u64", "u128", "i8", "i16", "i32", "i64", "i128",
-];
-
-/// Whether a type is one of integers, by value or by reference.
-pub(super) fn is_integer(kind: &str) -> bool {
-    let kind = kind.trim().trim_start_matches('&').trim();
-    INTEGERS.contains(&kind.trim_start_matches("mut ").trim())
-}
-
-/// Whether a type is one of floating-point numbers.
-pub(super) fn is_float(kind: &str) -> bool {
-    matches!(kind.trim(), "f64" | "f32")
-}
-
 /// A constant of `std::f64::consts`.
 pub(super) fn constant(name: &str) -> Option<Expr> {
     let pi = |above: i64, below: i64| {

@@ -25,7 +25,13 @@ impl Reader<'_> {
 
     fn step(self, node: CodeNode<'_>, ending: Ending) -> Read<Vec<Step>> {
         match node.kind() {
-            "empty_statement" | "attribute_item" | "use_declaration" => Ok(vec![]),
+            // Those that may leave something out are refused for the whole function.
+            "empty_statement" | "attribute_item" | "inner_attribute_item" => Ok(vec![]),
+            "use_declaration" => {
+                let message = "names are imported outside of functions";
+                let help = "move it to the top of the file";
+                Err(self.text.refused(node, message, help))
+            }
             "expression_statement" => {
                 let inner = children(node);
                 let [inner] = inner.as_slice() else {
@@ -39,9 +45,20 @@ impl Reader<'_> {
                     return Err(self.text.refused(other, "`let ... else` is not read", READ));
                 }
                 let pattern = self.pattern(self.text.field(node, "pattern")?)?;
+                let value = self.expression(self.text.field(node, "value")?)?;
+                let declared = node.child_by_field_name("type");
+                let declared = declared.and_then(|kind| self.aliases.number(self.text, kind));
+                // What `into` makes has the declared type.
+                let value = match declared.as_deref() {
+                    Some("f64" | "f32") => {
+                        let place = value.place;
+                        call(operation::FLOAT, vec![value], place)
+                    }
+                    _ => value,
+                };
                 Ok(vec![Step::Assign {
                     target: target(pattern).ok_or_else(|| self.unread(node))?,
-                    value: self.expression(self.text.field(node, "value")?)?,
+                    value,
                     how: Assignment::Declare,
                 }])
             }

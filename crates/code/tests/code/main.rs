@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod equal;
+mod misread;
 mod page;
 mod refused;
 mod slips;
