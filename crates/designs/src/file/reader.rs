@@ -399,8 +399,14 @@ impl Reader {
             None => (text, None),
         };
         let Numerals { text, values } = Numerals::new(text, is_constant);
-        let tree = parse(&text)
-            .map_err(|error| Some(Box::new(DerivationError::syntax(origin, &error))))?;
+        let tree = parse(&text).map_err(|error| {
+            let found = DerivationError::syntax(origin, &error);
+            let in_degrees = text.trim_end().ends_with("deg") || text.contains('°');
+            Some(Box::new(match in_degrees {
+                true => found.with_help("angles of formulas are in radians: `radians(30)`"),
+                false => found,
+            }))
+        })?;
         let owned: Vec<String> = self.constants.keys().cloned().collect();
         let names: Vec<&str> = owned
             .iter()
