@@ -128,7 +128,7 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    pub(crate) fn of(is_whole: bool) -> Self {
+    pub(crate) fn from_whole(is_whole: bool) -> Self {
         if is_whole { Self::Whole } else { Self::Float }
     }
 

@@ -7,7 +7,11 @@
 
 mod arithmetic;
 mod demands;
+mod folds;
+mod formulas;
 mod functions;
+mod integers;
+mod lists;
 mod objects;
 pub(crate) mod setting;
 pub(crate) mod value;

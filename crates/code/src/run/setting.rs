@@ -136,7 +136,7 @@ impl Setting<'_> {
                 let is_whole = matches!(kind, Some(SymbolKind::Integer { .. }));
                 Value::Term(Term {
                     is_point: self.may_be_point(&Expr::name(name), 0),
-                    ..Term::formula(Expr::name(name), Kind::of(is_whole))
+                    ..Term::formula(Expr::name(name), Kind::from_whole(is_whole))
                 })
             }
         }

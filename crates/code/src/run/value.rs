@@ -88,7 +88,7 @@ impl Term {
             expr,
             size: if is_leaf { 1 } else { 3 },
             height: if is_leaf { 1 } else { 2 },
-            kind: Kind::of(is_whole),
+            kind: Kind::from_whole(is_whole),
             is_point: false,
             object: FOREIGN,
             constant: Some(value),

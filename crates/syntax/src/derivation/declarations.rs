@@ -8,7 +8,7 @@ use super::source::whole;
 use super::table::Errors;
 use crate::derivation::schema::{BasisEntry, Dimension, SymbolEntry};
 use crate::derivation::{DerivationError, LoadError, Origin, Source, Written, written};
-use crate::formula::{Expr, Node, Place, is_name, parse};
+use crate::formula::{Expr, Place, is_name, parse};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use toml::Spanned;
@@ -635,7 +635,7 @@ fn symbol_kind(
 
 /// `>= 2`, `<= 5`, `0..k`.
 fn integer_range(text: &str) -> Option<(Option<Affine>, Option<Affine>)> {
-    let form = |text: &str| affine_of(&parse(text).ok()?);
+    let form = |text: &str| parse(text).ok()?.affine();
     if let Some((low, high)) = text.split_once("..") {
         return Some((Some(form(low)?), Some(form(high)?)));
     }
@@ -646,25 +646,4 @@ fn integer_range(text: &str) -> Option<(Option<Affine>, Option<Affine>)> {
         return Some((None, Some(form(high)?)));
     }
     text.trim().is_empty().then_some((None, None))
-}
-
-/// An integer-affine form written as a formula.
-fn affine_of(expr: &Expr) -> Option<Affine> {
-    use crate::formula::Operator::{Add, Multiply, Subtract};
-    match &expr.node {
-        Node::Number { value, .. } if value.is_integer() => {
-            i64::try_from(value.to_integer()).ok().map(Affine::number)
-        }
-        Node::Name(name) => Some(Affine::symbol(name)),
-        Node::Negative(inner) => Some(affine_of(inner)? * -1),
-        Node::Binary(Add, a, b) => Some(affine_of(a)? + affine_of(b)?),
-        Node::Binary(Subtract, a, b) => Some(affine_of(a)? - affine_of(b)?),
-        Node::Binary(Multiply, a, b) => {
-            let (a, b) = (affine_of(a)?, affine_of(b)?);
-            a.as_number()
-                .map(|n| b.clone() * n)
-                .or_else(|| b.as_number().map(|n| a * n))
-        }
-        _ => None,
-    }
 }

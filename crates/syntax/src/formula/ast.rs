@@ -2,7 +2,7 @@
 //! messages.
 
 use std::sync::Arc;
-use torse_numbers::Rational;
+use torse_numbers::{Affine, Rational};
 
 /// A range of bytes in the text of a formula.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
@@ -349,6 +349,36 @@ impl Expr {
         match &self.node {
             Node::Name(name) => vec![name],
             _ => self.parts().into_iter().flat_map(Self::names).collect(),
+        }
+    }
+
+    /// The formula as a sum of multiples of names, with whole numbers; none if it is another one.
+    ///
+    /// ```
+    /// use torse_numbers::Affine;
+    /// let formula = |text: &str| torse_syntax::formula::parse(text).ok();
+    /// let twice = Affine::symbol("n") * 2 - Affine::number(1);
+    /// assert_eq!(formula("2*n - 1").and_then(|read| read.affine()), Some(twice));
+    /// assert_eq!(formula("n*n").and_then(|read| read.affine()), None);
+    /// ```
+    #[must_use]
+    pub fn affine(&self) -> Option<Affine> {
+        use Operator::{Add, Multiply, Subtract};
+        match &self.node {
+            Node::Number { value, .. } if value.is_integer() => {
+                i64::try_from(value.to_integer()).ok().map(Affine::number)
+            }
+            Node::Name(name) => Some(Affine::symbol(name)),
+            Node::Negative(inner) => Some(inner.affine()? * -1),
+            Node::Binary(Add, a, b) => Some(a.affine()? + b.affine()?),
+            Node::Binary(Subtract, a, b) => Some(a.affine()? - b.affine()?),
+            Node::Binary(Multiply, a, b) => {
+                let (a, b) = (a.affine()?, b.affine()?);
+                a.as_number()
+                    .map(|n| b.clone() * n)
+                    .or_else(|| b.as_number().map(|n| a * n))
+            }
+            _ => None,
         }
     }
 }
