@@ -7,7 +7,7 @@ use pyo3::types::{PyDict, PyList};
 use std::path::PathBuf;
 use torse::report::{Envelope, glossary, verdicts_json};
 use torse::verdicts::outcome::Outcome;
-use torse::{Decided, Paper, Verification, WorkBudget};
+use torse::{CorrectionLetter, Decided, Paper, Verification, WorkBudget};
 
 /// Adds classes and functions to the module.
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -248,11 +248,12 @@ impl PyVerification {
     ) -> PyResult<(String, String)> {
         let letters = self.0.letters(&Envelope { sender, date });
         let letters = letters.map_err(|error| raised(py, &error))?;
-        let texts = letters
-            .iter()
-            .map(|letter| (letter.markdown(), letter.latex()));
-        Ok(texts.unzip::<_, _, Vec<_>, Vec<_>>())
-            .map(|(markdown, latex)| (markdown.concat(), latex.concat()))
+        let texts =
+            |written: fn(&CorrectionLetter) -> String| letters.iter().map(written).collect();
+        Ok((
+            texts(CorrectionLetter::markdown),
+            texts(CorrectionLetter::latex),
+        ))
     }
 }
 

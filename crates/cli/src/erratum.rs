@@ -111,7 +111,7 @@ impl Erratum {
             let report = Report::with_kernel(paper, &[], &accepted).from_source(source);
             if report.letter.scope.decided == 0 {
                 let paper = paper.slug.clone();
-                return Err(Failure::NothingDecided { paper });
+                return Err(torse::Error::NothingDecided { paper }.into());
             }
             for (ending, letter) in LETTERS {
                 let file = self.out.join(file(&paper.slug, ending));

@@ -303,15 +303,6 @@ pub enum Failure {
         /// The id.
         slug: String,
     },
-    /// A letter about a paper of which nothing is decided.
-    #[error("no statement of `{paper}` is decided, so that a letter would say nothing")]
-    #[diagnostic(help(
-        "write `states = '...'` under its claims; `torse verify {paper}` says what is still to be stated"
-    ))]
-    NothingDecided {
-        /// The paper.
-        paper: String,
-    },
     /// A report could not be made or written.
     #[error("the report cannot be made")]
     Report(#[from] ReportError),
@@ -433,7 +424,6 @@ impl Failure {
             Failure::Load(_)
             | Failure::Derivation(_)
             | Failure::Slug { .. }
-            | Failure::NothingDecided { .. }
             | Failure::Against { .. }
             | Failure::List { .. }
             | Failure::Manuscript { .. } => Exit::BadData,
@@ -459,7 +449,9 @@ impl Failure {
 fn exit_of(error: &torse::Error) -> Exit {
     match error {
         torse::Error::UnknownName { .. } | torse::Error::Ambiguous { .. } => Exit::Usage,
-        torse::Error::Load(_) | torse::Error::Formula(_) => Exit::BadData,
+        torse::Error::Load(_) | torse::Error::Formula(_) | torse::Error::NothingDecided { .. } => {
+            Exit::BadData
+        }
         torse::Error::Design(failure) => match failure.0.ending() {
             Ending::Usage => Exit::Usage,
             Ending::BadFile => Exit::BadData,

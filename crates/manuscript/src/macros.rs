@@ -46,7 +46,6 @@ impl std::error::Error for ManuscriptError {}
 /// What is not understood, and its place.
 pub type Unread = (Place, String);
 
-#[derive(Clone)]
 struct Macro {
     parameters: usize,
     default: Option<Vec<PlacedTex>>,
@@ -108,28 +107,15 @@ pub fn expanded(tokens: Vec<PlacedTex>) -> Result<(Vec<PlacedTex>, Vec<Unread>),
             unread.extend(why.map(|why| (token.place, why)));
             continue;
         }
-        let not_understood = match name.trim_end_matches('*') {
-            "newcommand" | "renewcommand" | "providecommand" => match new_command(&mut input) {
-                Some(found) => {
-                    macros.define(found);
-                    continue;
-                }
-                None => format!("this `\\{name}` is not understood"),
-            },
-            "DeclareMathOperator" => match operator(&mut input, token.place) {
-                Some(found) => {
-                    macros.define(found);
-                    continue;
-                }
-                None => "this operator is not understood".to_owned(),
-            },
-            "def" => match definition(&mut input) {
-                Some(found) => {
-                    macros.define(found);
-                    continue;
-                }
-                None => "this `\\def` is not understood: its parameters have delimiters".to_owned(),
-            },
+        let defined = match name.trim_end_matches('*') {
+            "newcommand" | "renewcommand" | "providecommand" => {
+                new_command(&mut input).ok_or_else(|| format!("this `\\{name}` is not understood"))
+            }
+            "DeclareMathOperator" => operator(&mut input, token.place)
+                .ok_or_else(|| "this operator is not understood".to_owned()),
+            "def" => definition(&mut input).ok_or_else(|| {
+                "this `\\def` is not understood: its parameters have delimiters".to_owned()
+            }),
             _ => {
                 let Some(found) = macros.known.get(&name) else {
                     output.push(token);
@@ -150,7 +136,10 @@ pub fn expanded(tokens: Vec<PlacedTex>) -> Result<(Vec<PlacedTex>, Vec<Unread>),
                 continue;
             }
         };
-        unread.push((token.place, not_understood));
+        match defined {
+            Ok(defined) => macros.define(defined),
+            Err(why) => unread.push((token.place, why)),
+        }
     }
     Ok((output, unread))
 }

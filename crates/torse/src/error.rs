@@ -39,7 +39,9 @@ pub enum Error {
     },
     /// A letter about a paper of which nothing is decided.
     #[error("no statement of `{paper}` is decided, so that a letter would say nothing")]
-    #[diagnostic(help("write `states = '...'` under its claims"))]
+    #[diagnostic(help(
+        "write `states = '...'` under its claims; `torse verify {paper}` says what is still to be stated"
+    ))]
     NothingDecided {
         /// The paper.
         paper: String,

@@ -4,7 +4,7 @@ use crate::math_box::{Fence, LetterFace, MathBox, MathChange};
 use torse_syntax::greek;
 
 /// The most letters that LaTeX frames: about a line of a letter.
-pub(crate) const MAX_FRAMED: usize = 110;
+const MAX_FRAMED: usize = 110;
 
 /// Writes Typst mathematics, without dollar signs.
 ///

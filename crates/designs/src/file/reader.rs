@@ -274,16 +274,22 @@ impl Reader {
         found.map(|(_, meaning)| *meaning)
     }
 
-    /// Returns a number, or a formula for one.
-    pub fn number(&mut self, value: Value<'_>, dimension: NumberKind) -> Option<f64> {
-        let span = value.span();
+    /// Complains of a length with a unit where a number without one is wanted.
+    fn refuse_unit(&mut self, value: &Value<'_>, dimension: NumberKind) -> Option<()> {
         if let (NumberKind::None, DeValue::String(text)) = (dimension, value.get_ref())
             && with_unit(text, |name| self.constants.contains_key(name)).is_some()
         {
             let message = "a length with a unit where a number without one is wanted";
-            self.complain(&span, message, "");
+            self.complain(&value.span(), message, "");
             return None;
         }
+        Some(())
+    }
+
+    /// Returns a number, or a formula for one.
+    pub fn number(&mut self, value: Value<'_>, dimension: NumberKind) -> Option<f64> {
+        let span = value.span();
+        self.refuse_unit(&value, dimension)?;
         let number = self.exact(value)?;
         let number = match dimension {
             NumberKind::None => number,
@@ -300,13 +306,7 @@ impl Reader {
     /// Returns a number exactly as it stands in the file; one that is only enclosed is rounded to f64 first.
     pub fn rational(&mut self, value: Value<'_>, dimension: NumberKind) -> Option<Rational> {
         let span = value.span();
-        if let (NumberKind::None, DeValue::String(text)) = (dimension, value.get_ref())
-            && with_unit(text, |name| self.constants.contains_key(name)).is_some()
-        {
-            let message = "a length with a unit where a number without one is wanted";
-            self.complain(&span, message, "");
-            return None;
-        }
+        self.refuse_unit(&value, dimension)?;
         let number = self.exact(value)?;
         let number = match dimension {
             NumberKind::None => number,

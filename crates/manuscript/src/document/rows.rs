@@ -2,11 +2,22 @@
 
 use super::arguments::without_labels;
 use torse_syntax::latex::token::{PlacedTex, TexToken};
-use torse_syntax::latex::{CommandKind, command_kind};
+use torse_syntax::latex::{CommandKind, command_kind, is_relation_sign};
+
+/// What the rows of an environment are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Rows {
+    /// Lines of one formula.
+    Lines,
+    /// Aligned: a formula may have several.
+    Aligned,
+    /// Formulas each.
+    EachAlone,
+}
 
 /// Whether a row goes on with the rows before it: it begins with a sign that asks for an operand on its left, they end with one
-/// that asks for an operand on its right, or it has no relation of its own, and rows of this environment are not formulas each.
-pub(super) fn goes_on(before: &[Vec<PlacedTex>], row: &[PlacedTex], each_alone: bool) -> bool {
+/// that asks for an operand on its right, or it has no relation, where rows are not formulas each.
+pub(super) fn goes_on(before: &[Vec<PlacedTex>], row: &[PlacedTex], rows: Rows) -> bool {
     let row = significant(row);
     let (Some(first), Some(last)) = (
         row.first(),
@@ -14,7 +25,7 @@ pub(super) fn goes_on(before: &[Vec<PlacedTex>], row: &[PlacedTex], each_alone: 
     ) else {
         return false;
     };
-    is_sign(first) || is_sign(&last) || !each_alone && !row.iter().any(is_relation)
+    is_sign(first) || is_sign(&last) || rows != Rows::EachAlone && !row.iter().any(is_relation)
 }
 
 /// The tokens of rows that are one formula, with the signs between rows.
@@ -62,24 +73,12 @@ fn is_sign(token: &PlacedTex) -> bool {
 fn is_relation(token: &PlacedTex) -> bool {
     match &token.token {
         TexToken::Character(sign) => matches!(sign, '=' | '<' | '>'),
-        TexToken::Command(name) => matches!(
-            command_kind(name),
-            CommandKind::Sign(
-                "le" | "ge"
-                    | "ne"
-                    | "<"
-                    | ">"
-                    | "equiv"
-                    | ":="
-                    | "in"
-                    | "to"
-                    | "implies"
-                    | "iff"
-                    | "approx"
-                    | "sim"
-                    | "parallel"
-                    | "perp"
-            )
-        ),
+        TexToken::Command(name) => match command_kind(name) {
+            CommandKind::Sign(sign) => {
+                is_relation_sign(sign)
+                    || matches!(sign, "to" | "implies" | "iff" | "sim" | "parallel" | "perp")
+            }
+            _ => false,
+        },
     }
 }

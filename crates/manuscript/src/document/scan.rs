@@ -2,7 +2,7 @@
 
 use super::arguments::{argument, end_of, option, without_labels};
 use super::cases::by_members;
-use super::rows::{goes_on, joined};
+use super::rows::{Rows, goes_on, joined};
 use super::{Manuscript, ManuscriptFormula, ManuscriptItem};
 use crate::linear::linear;
 use crate::numbering::Numbering;
@@ -15,10 +15,10 @@ use torse_syntax::latex::{layout_tokens, without_final_punctuation};
 
 /// Environments of displayed mathematics.
 const DISPLAYS: [(&str, Rows); 10] = [
-    ("equation", Rows::None),
-    ("multline", Rows::None),
-    ("displaymath", Rows::None),
-    ("math", Rows::None),
+    ("equation", Rows::Lines),
+    ("multline", Rows::Lines),
+    ("displaymath", Rows::Lines),
+    ("math", Rows::Lines),
     ("align", Rows::Aligned),
     ("gather", Rows::EachAlone),
     ("eqnarray", Rows::Aligned),
@@ -26,17 +26,6 @@ const DISPLAYS: [(&str, Rows); 10] = [
     ("alignat", Rows::Aligned),
     ("IEEEeqnarray", Rows::Aligned),
 ];
-
-/// What the rows of an environment are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Rows {
-    /// Lines of one formula.
-    None,
-    /// A formula may have several.
-    Aligned,
-    /// Formulas each.
-    EachAlone,
-}
 
 /// The largest depth of environments.
 const MAX_ENVIRONMENTS: usize = 40;
@@ -317,7 +306,7 @@ impl Scan {
         }
     }
 
-    /// Reads displayed mathematics; rows that begin with a relation go on with the row before.
+    /// Reads displayed mathematics, in which a formula may have several rows.
     fn display(&mut self, inner: &[PlacedTex], place: Place, rows: Rows, numbered: bool) -> String {
         let mut lines: Vec<Vec<PlacedTex>> = vec![vec![]];
         let mut depth = 0_usize;
@@ -325,7 +314,7 @@ impl Scan {
             match token.command() {
                 Some("begin") => depth += 1,
                 Some("end") => depth = depth.saturating_sub(1),
-                Some("\\" | "\\*") if depth == 0 && rows != Rows::None => {
+                Some("\\" | "\\*") if depth == 0 && rows != Rows::Lines => {
                     lines.push(vec![]);
                     continue;
                 }
@@ -335,11 +324,10 @@ impl Scan {
                 line.push(token.clone());
             }
         }
-        let each_alone = rows == Rows::EachAlone;
         let mut groups: Vec<Vec<Vec<PlacedTex>>> = vec![];
         for line in lines {
             match groups.last_mut() {
-                Some(before) if goes_on(before, &line, each_alone) => before.push(line),
+                Some(before) if goes_on(before, &line, rows) => before.push(line),
                 _ => groups.push(vec![line]),
             }
         }

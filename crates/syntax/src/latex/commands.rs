@@ -140,3 +140,12 @@ pub fn command_kind(name: &str) -> CommandKind {
         _ => CommandKind::Unknown,
     }
 }
+
+/// Whether a sign compares what stands on its sides, so that a row with it may be a formula.
+#[must_use]
+pub fn is_relation_sign(sign: &str) -> bool {
+    matches!(
+        sign,
+        "=" | "<" | ">" | "le" | "ge" | "ne" | "equiv" | ":=" | "in" | "approx"
+    )
+}

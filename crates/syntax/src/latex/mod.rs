@@ -26,7 +26,7 @@ mod statement;
 mod suspects;
 pub mod token;
 
-pub use commands::{CommandKind, command_kind};
+pub use commands::{CommandKind, command_kind, is_relation_sign};
 pub use error::LatexError;
 pub use guess::LatexGuess;
 pub use layout::{layout, layout_tokens, one_form_of_each_letter, without_final_punctuation};

@@ -4,6 +4,7 @@
 //! with a sign that asks for an operand on its right. Two rows that each have a relation are two formulas. Nothing else is joined:
 //! two operands at the ends of two rows are no product.
 
+use super::super::commands::is_relation_sign;
 use super::super::error::LatexError;
 use super::super::item::{Nucleus, TexItem};
 use super::is_operator;
@@ -78,11 +79,5 @@ fn is_applied(item: &TexItem) -> bool {
 }
 
 fn is_relation(item: &TexItem) -> bool {
-    let Nucleus::Sign(sign) = &item.nucleus else {
-        return false;
-    };
-    matches!(
-        sign.as_str(),
-        "=" | "<" | ">" | "le" | "ge" | "ne" | "equiv" | ":=" | "in" | "approx"
-    )
+    matches!(&item.nucleus, Nucleus::Sign(sign) if is_relation_sign(sign))
 }
