@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module reach_root.
-(* bezier/reach.root, Algebraic hypotheses
-   printed: If w² = a² + b², then (a/w)² + (b/w)² = 1.
-   stated: (a/w)^2 + (b/w)^2 == 1 *)
+(* bezier/reach.root *)
 Definition statement : Prop :=
 forall (a : R) (b : R) (w : R),
   0 < w ->
@@ -20,9 +18,7 @@ exists (a : R) (b : R) (w : R),
 End reach_root.
 
 Module reach_square.
-(* bezier/reach.square, Algebraic hypotheses
-   printed: If w² = 1/2, then w^4 = 1/4.
-   stated: w^4 == 1/4 *)
+(* bezier/reach.square *)
 Definition statement : Prop :=
 forall (w : R),
   0 < w ->

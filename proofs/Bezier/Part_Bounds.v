@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module reach_surd.
-(* bezier/reach.surd, Bounds
-   printed: If a <= √2, then √2 a <= 2.
-   stated: sqrt(2)*a <= 2 *)
+(* bezier/reach.surd *)
 Definition statement : Prop :=
 forall (a : R),
   a <= sqrt 2 ->
@@ -16,9 +14,7 @@ exists (a : R),
 End reach_surd.
 
 Module reach_simplex.
-(* bezier/reach.simplex, Bounds
-   printed: u A + v B + (1 - u - v) C >= 0 for u + v <= 1
-   stated: u*A + v*B + (1 - u - v)*C >= 0 *)
+(* bezier/reach.simplex *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (u : R) (v : R),
   0 <= A ->
@@ -39,9 +35,7 @@ exists (A : R) (B : R) (C_ : R) (u : R) (v : R),
 End reach_simplex.
 
 Module reach_between.
-(* bezier/reach.between, Bounds
-   printed: (t - y)(y - r) >= 0 for r <= s <= y <= t
-   stated: (t - y)*(y - r) >= 0 *)
+(* bezier/reach.between *)
 Definition statement : Prop :=
 forall (r : R) (s : R) (t : R) (y : R),
   r <= s ->
@@ -56,9 +50,7 @@ exists (r : R) (s : R) (t : R) (y : R),
 End reach_between.
 
 Module reach_interval.
-(* bezier/reach.interval, Bounds
-   printed: (s - y)(y - r) >= 0 for y in [r, s]
-   stated: (s - y)*(y - r) >= 0 *)
+(* bezier/reach.interval *)
 Definition statement : Prop :=
 forall (r : R) (s : R) (y : R),
   r <= y ->
@@ -71,9 +63,7 @@ exists (r : R) (s : R) (y : R),
 End reach_interval.
 
 Module reach_interval_basis.
-(* bezier/reach.interval.basis, Bounds
-   printed: For y in [r, s], r < s, the middle quadratic Bernstein polynomial lies between 0 and 1/2.
-   stated: 0 <= 2*(s - y)*(y - r)/(s - r)^2 <= 1/2 *)
+(* bezier/reach.interval.basis *)
 Definition statement : Prop :=
 forall (r : R) (s : R) (y : R),
   r < s ->

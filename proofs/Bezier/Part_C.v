@@ -31,9 +31,7 @@ End Definitions.
 Import Definitions.
 
 Module join_C0.
-(* bezier/join.C0, C0
-   printed: R_0 = P_m
-   stated: R[0] == P[m] *)
+(* bezier/join.C0 *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -56,9 +54,7 @@ exists (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
 End join_C0.
 
 Module join_C1.
-(* bezier/join.C1, C1
-   printed: R_1 = P_m + (m/n) (P_m - P_{m-1})
-   stated: R[1] == P[m] + m/n*(P[m] - P[m-1]) *)
+(* bezier/join.C1 *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -87,9 +83,7 @@ exists (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
 End join_C1.
 
 Module join_C1_slip.
-(* bezier/join.C1.slip, C1
-   printed: A common slip: R_1 = P_m + (n/m) (P_m - P_{m-1})
-   stated: R[1] == P[m] + n/m*(P[m] - P[m-1]) *)
+(* bezier/join.C1.slip *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -106,9 +100,7 @@ forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
 End join_C1_slip.
 
 Module join_C1_slip_corrected.
-(* bezier/join.C1.slip (corrected), C1
-   printed: A common slip: R_1 = P_m + (n/m) (P_m - P_{m-1})
-   stated: R[1] == P[m] + m/n*(P[m] - P[m-1]) *)
+(* bezier/join.C1.slip (corrected) *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -137,9 +129,7 @@ exists (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
 End join_C1_slip_corrected.
 
 Module join_C2.
-(* bezier/join.C2, C2
-   printed: R_2 = P_m + 2 (m/n) Δ_1 + m(m-1)/(n(n-1)) Δ_2
-   stated: R[2] == P[m] + 2*m/n*d1 + m*(m - 1)/(n*(n - 1))*d2 *)
+(* bezier/join.C2 *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -174,9 +164,7 @@ exists (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
 End join_C2.
 
 Module join_C2_slip.
-(* bezier/join.C2.slip, C2
-   printed: A common slip: R_2 = P_m + (m/n) Δ_1 + m(m-1)/(n(n-1)) Δ_2
-   stated: R[2] == P[m] + m/n*d1 + m*(m - 1)/(n*(n - 1))*d2 *)
+(* bezier/join.C2.slip *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -196,9 +184,7 @@ forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
 End join_C2_slip.
 
 Module join_C2_slip_corrected.
-(* bezier/join.C2.slip (corrected), C2
-   printed: A common slip: R_2 = P_m + (m/n) Δ_1 + m(m-1)/(n(n-1)) Δ_2
-   stated: R[2] == P[m] + 2*(m/n*d1) + m*(m - 1)/(n*(n - 1))*d2 *)
+(* bezier/join.C2.slip (corrected) *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -233,9 +219,7 @@ exists (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
 End join_C2_slip_corrected.
 
 Module join_C3.
-(* bezier/join.C3, C3
-   printed: R_3 = P_m + 3 (m/n) Δ_1 + 3 m(m-1)/(n(n-1)) Δ_2 + m(m-1)(m-2)/(n(n-1)(n-2)) Δ_3
-   stated: R[3] == P[m] + 3*m/n*d1 + 3*m*(m - 1)/(n*(n - 1))*d2 + m*(m - 1)*(m - 2)/(n*(n - 1)*(n - 2))*d3 *)
+(* bezier/join.C3 *)
 Definition d3 (P : Z -> R) (m : Z) : R :=
   P m - 3 * P (m - 1)%Z + 3 * P (m - 2)%Z - P (m - 3)%Z.
 Definition statement : Prop :=
@@ -278,9 +262,7 @@ exists (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
 End join_C3.
 
 Module join_C2_sufficient.
-(* bezier/join.C2.sufficient, C2, sufficiency
-   printed: With these R_0, R_1, R_2 the two curves have the same derivatives up to order 2.
-   stated: S(0) == C(1) and S'(0) == C'(1) and S''(0) == C''(1) *)
+(* bezier/join.C2.sufficient *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
   (3 <= m)%Z ->
@@ -319,9 +301,7 @@ exists (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R),
 End join_C2_sufficient.
 
 Module join_knot.
-(* bezier/join.knot, C1 with a knot ratio
-   printed: R_1 = P_m + (m/n) (b/a) (P_m - P_{m-1}) for parameter intervals of the lengths a and b
-   stated: R[1] == P[m] + m/n*b/a*(P[m] - P[m-1]) *)
+(* bezier/join.knot *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
   (3 <= m)%Z ->
@@ -354,9 +334,7 @@ exists (m : Z) (n : Z) (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
 End join_knot.
 
 Module trigonometric_C1.
-(* bezier/trigonometric.C1, C1
-   printed: R_1 = P_3 + (2 + μ)/(2 + λ_2) (P_3 - P_2)
-   stated: R[1] == P[3] + (2 + mu)/(2 + lambda2)*(P[3] - P[2]) *)
+(* bezier/trigonometric.C1 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
   (-2) <= lambda <= 1 ->
@@ -381,9 +359,7 @@ exists (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
 End trigonometric_C1.
 
 Module trigonometric_C1_inside.
-(* bezier/trigonometric.C1.inside, C1
-   printed: R_1 = P_3 + (2 + μ)/(2 + λ_2) (P_3 - P_2) for λ_2 > -2
-   stated: R[1] == P[3] + (2 + mu)/(2 + lambda2)*(P[3] - P[2]) *)
+(* bezier/trigonometric.C1.inside *)
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
   (-2) <= lambda <= 1 ->
@@ -408,9 +384,7 @@ exists (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
 End trigonometric_C1_inside.
 
 Module trigonometric_bezier.
-(* bezier/trigonometric.bezier, C1 with a classical curve
-   printed: A Bézier curve of degree n continues the trigonometric one with R_1 = P_3 + π (2 + μ)/(2 n) (P_3 - P_2).
-   stated: R[1] == P[3] + pi*(2 + mu)/(2*n)*(P[3] - P[2]) *)
+(* bezier/trigonometric.bezier *)
 Definition statement : Prop :=
 forall (n : Z) (P : Z -> R) (R_ : Z -> R) (lambda : R) (mu : R),
   (-2) <= lambda <= 1 ->

@@ -3,10 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module bernstein_formula.
-(* bezier/bernstein.formula, Closed form
-   printed: B_{i,m}(x) = binom(m, i) x^i (1 - x)^(m - i)
-   read as: As coefficients of the control points: both sides give the same curve for all control points.
-   stated: C(x) == sum(i, 0, m, binom(m, i)*x^i*(1 - x)^(m - i)*P[i]) *)
+(* bezier/bernstein.formula *)
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition C_ (P : Z -> R) (m : Z) (x : R) : R :=

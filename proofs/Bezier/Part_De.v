@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module curve_casteljau.
-(* bezier/curve.casteljau, De Casteljau
-   printed: C(x) = sum_{i=0}^{m-1} B_{i,m-1}(x) ((1 - x) P_i + x P_{i+1})
-   stated: C(x) == sum(i, 0, m - 1, B[i,m-1](x)*((1 - x)*P[i] + x*P[i+1])) *)
+(* bezier/curve.casteljau *)
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition C_ (P : Z -> R) (m : Z) (x : R) : R :=

@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module bernstein_recursion.
-(* bezier/bernstein.recursion, Definition
-   printed: B_{i,m}(x) = (1 - x) B_{i,m-1}(x) + x B_{i-1,m-1}(x), B_{0,0} = 1
-   stated: B[i,m](x) == (1 - x)*B[i,m-1](x) + x*B[i-1,m-1](x) and B[0,0](x) == 1 *)
+(* bezier/bernstein.recursion *)
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition statement : Prop :=

@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module bernstein_elevation.
-(* bezier/bernstein.elevation, Degree elevation
-   printed: (m + 1) B_{i,m}(x) = (m + 1 - i) B_{i,m+1}(x) + (i + 1) B_{i+1,m+1}(x)
-   stated: (m + 1)*B[i,m](x) == (m + 1 - i)*B[i,m+1](x) + (i + 1)*B[i+1,m+1](x) *)
+(* bezier/bernstein.elevation *)
 Definition statement : Prop :=
 forall (i : Z) (m : Z) (x : R),
   (0 <= i <= m)%Z ->
@@ -30,10 +28,7 @@ exists (i : Z) (m : Z) (x : R),
 End bernstein_elevation.
 
 Module curve_elevation.
-(* bezier/curve.elevation, Degree elevation
-   printed: C(x) = sum_{i=0}^{m+1} B_{i,m+1}(x) (i/(m+1) P_{i-1} + (1 - i/(m+1)) P_i)
-   read as: P_{-1} and P_{m+1} have the factor zero.
-   stated: C(x) == sum(i, 0, m + 1, B[i,m+1](x)*(i/(m + 1)*P[i-1] + (1 - i/(m + 1))*P[i])) *)
+(* bezier/curve.elevation *)
 Definition C_ (P : Z -> R) (m : Z) (x : R) : R :=
   sum 0%Z m (fun i => B x i m * P i).
 Definition statement : Prop :=

@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module bernstein_derivative.
-(* bezier/bernstein.derivative, Derivative
-   printed: B'_{i,m}(x) = m (B_{i-1,m-1}(x) - B_{i,m-1}(x))
-   stated: D(B[i,m](x), x) == m*(B[i-1,m-1](x) - B[i,m-1](x)) *)
+(* bezier/bernstein.derivative *)
 Definition statement : Prop :=
 forall (i : Z) (m : Z) (x : R),
   (0 <= i <= m)%Z ->
@@ -30,9 +28,7 @@ exists (i : Z) (m : Z) (x : R),
 End bernstein_derivative.
 
 Module bernstein_derivative_slip.
-(* bezier/bernstein.derivative.slip, Derivative
-   printed: A common slip: B'_{1,3}(x) = 3 (B_{1,2}(x) - B_{0,2}(x))
-   stated: D(B[1,3](x), x) == 3*(B[1,2](x) - B[0,2](x)) *)
+(* bezier/bernstein.derivative.slip *)
 Definition statement : Prop :=
 forall (x : R),
   0 <= x <= 1 ->
@@ -40,9 +36,7 @@ forall (x : R),
 End bernstein_derivative_slip.
 
 Module bernstein_derivative_slip_corrected.
-(* bezier/bernstein.derivative.slip (corrected), Derivative
-   printed: A common slip: B'_{1,3}(x) = 3 (B_{1,2}(x) - B_{0,2}(x))
-   stated: D(B[1,3](x), x) == -(3*(B[1,2](x) - B[0,2](x))) *)
+(* bezier/bernstein.derivative.slip (corrected) *)
 Definition statement : Prop :=
 forall (x : R),
   0 <= x <= 1 ->

@@ -15,9 +15,7 @@ End Definitions.
 Import Definitions.
 
 Module curve_ends.
-(* bezier/curve.ends, End points
-   printed: The curve begins at its first and ends at its last control point.
-   stated: C(0) == P[0] and C(1) == P[m] *)
+(* bezier/curve.ends *)
 Definition C_ (P : Z -> R) (m : Z) (x : Z) : R :=
   sum 0%Z m (fun i => B (IZR x) i m * P i).
 Definition statement : Prop :=
@@ -36,9 +34,7 @@ exists (m : Z) (P : Z -> R),
 End curve_ends.
 
 Module curve_d1.
-(* bezier/curve.d1, End derivatives
-   printed: C'(0) = m (P_1 - P_0),  C'(1) = m (P_m - P_{m-1})
-   stated: C'(0) == m*(P[1] - P[0]) and C'(1) == m*(P[m] - P[m-1]) *)
+(* bezier/curve.d1 *)
 Definition statement : Prop :=
 forall (m : Z) (P : Z -> R),
   (3 <= m)%Z ->
@@ -59,9 +55,7 @@ exists (m : Z) (P : Z -> R),
 End curve_d1.
 
 Module curve_d2.
-(* bezier/curve.d2, End derivatives
-   printed: C''(0) = m(m-1) (P_0 - 2P_1 + P_2),  C''(1) = m(m-1) (P_m - 2P_{m-1} + P_{m-2})
-   stated: C''(0) == m*(m - 1)*(P[0] - 2*P[1] + P[2]) and C''(1) == m*(m - 1)*(P[m] - 2*P[m-1] + P[m-2]) *)
+(* bezier/curve.d2 *)
 Definition statement : Prop :=
 forall (m : Z) (P : Z -> R),
   (3 <= m)%Z ->
@@ -86,9 +80,7 @@ exists (m : Z) (P : Z -> R),
 End curve_d2.
 
 Module curve_d2_slip.
-(* bezier/curve.d2.slip, End derivatives
-   printed: A common slip: C''(0) = m² (P_0 - 2P_1 + P_2)
-   stated: C''(0) == m^2*(P[0] - 2*P[1] + P[2]) *)
+(* bezier/curve.d2.slip *)
 Definition statement : Prop :=
 forall (m : Z) (P : Z -> R),
   (3 <= m)%Z ->
@@ -100,9 +92,7 @@ forall (m : Z) (P : Z -> R),
 End curve_d2_slip.
 
 Module curve_d2_slip_corrected.
-(* bezier/curve.d2.slip (corrected), End derivatives
-   printed: A common slip: C''(0) = m² (P_0 - 2P_1 + P_2)
-   stated: C''(0) == m*(m - 1)*(P[0] - 2*P[1] + P[2]) *)
+(* bezier/curve.d2.slip (corrected) *)
 Definition statement : Prop :=
 forall (m : Z) (P : Z -> R),
   (3 <= m)%Z ->
@@ -121,9 +111,7 @@ exists (m : Z) (P : Z -> R),
 End curve_d2_slip_corrected.
 
 Module curve_d3.
-(* bezier/curve.d3, End derivatives
-   printed: C'''(0) = m(m-1)(m-2) (P_3 - 3P_2 + 3P_1 - P_0),  C'''(1) = m(m-1)(m-2) (P_m - 3P_{m-1} + 3P_{m-2} - P_{m-3})
-   stated: C'''(0) == m*(m - 1)*(m - 2)*(P[3] - 3*P[2] + 3*P[1] - P[0]) and C'''(1) == m*(m - 1)*(m - 2)*(P[m] - 3*P[m-1] + 3*P[m-2] - P[m-3]) *)
+(* bezier/curve.d3 *)
 Definition statement : Prop :=
 forall (m : Z) (P : Z -> R),
   (3 <= m)%Z ->
@@ -152,9 +140,7 @@ exists (m : Z) (P : Z -> R),
 End curve_d3.
 
 Module trigonometric_d1.
-(* bezier/trigonometric.d1, End derivatives
-   printed: F'(0) = π/2 (2 + λ) (P_1 - P_0),  F'(1) = π/2 (2 + μ) (P_3 - P_2)
-   stated: F'(0) == pi/2*(2 + lambda)*(P[1] - P[0]) and F'(1) == pi/2*(2 + mu)*(P[3] - P[2]) *)
+(* bezier/trigonometric.d1 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-2) <= lambda <= 1 ->
@@ -167,9 +153,7 @@ exists (P : Z -> R) (lambda : R) (mu : R),
 End trigonometric_d1.
 
 Module trigonometric_d1_slip.
-(* bezier/trigonometric.d1.slip, End derivatives
-   printed: A common slip, the factor of t = π/2 x forgotten: F'(0) = (2 + λ) (P_1 - P_0)
-   stated: F'(0) == (2 + lambda)*(P[1] - P[0]) *)
+(* bezier/trigonometric.d1.slip *)
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-2) <= lambda <= 1 ->
@@ -178,9 +162,7 @@ forall (P : Z -> R) (lambda : R) (mu : R),
 End trigonometric_d1_slip.
 
 Module trigonometric_d1_slip_corrected.
-(* bezier/trigonometric.d1.slip (corrected), End derivatives
-   printed: A common slip, the factor of t = π/2 x forgotten: F'(0) = (2 + λ) (P_1 - P_0)
-   stated: F'(0) == pi*(1/2*((2 + lambda)*(P[1] - P[0]))) *)
+(* bezier/trigonometric.d1.slip (corrected) *)
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-2) <= lambda <= 1 ->
@@ -193,9 +175,7 @@ exists (P : Z -> R) (lambda : R) (mu : R),
 End trigonometric_d1_slip_corrected.
 
 Module trigonometric_d2.
-(* bezier/trigonometric.d2, End derivatives
-   printed: F''(0) = π²/2 ((1 + 2λ) P_0 - 2(1 + λ) P_1 + P_2)
-   stated: F''(0) == pi^2/2*((1 + 2*lambda)*P[0] - 2*(1 + lambda)*P[1] + P[2]) *)
+(* bezier/trigonometric.d2 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-2) <= lambda <= 1 ->

@@ -11,9 +11,7 @@ End Definitions.
 Import Definitions.
 
 Module family_corner.
-(* bezier/family.corner, Families
-   printed: With Q_j = (1 - a) K_j + a K_{j+1}: Σ B_{j,m}(x) Q_j = (1 - a) Σ B_{j,m}(x) K_j + a Σ B_{j,m}(x) K_{j+1}
-   stated: sum(j, 0, m, B[j,m](x)*Q[j]) == (1 - a)*sum(j, 0, m, B[j,m](x)*K[j]) + a*sum(j, 0, m, B[j,m](x)*K[j+1]) *)
+(* bezier/family.corner *)
 Definition statement : Prop :=
 forall (m : Z) (K : Z -> R) (a : R) (x : R),
   (3 <= m)%Z ->
@@ -32,9 +30,7 @@ exists (m : Z) (K : Z -> R) (a : R) (x : R),
 End family_corner.
 
 Module family_casteljau.
-(* bezier/family.casteljau, Families
-   printed: With Q_j = (1 - a) K_j + a K_{j+1} at a = x: Σ B_{j,m}(x) Q_j = Σ B_{j,m+1}(x) K_j
-   stated: sum(j, 0, m, B[j,m](x)*Q[j]) == sum(j, 0, m + 1, B[j,m+1](x)*K[j]) *)
+(* bezier/family.casteljau *)
 Definition statement : Prop :=
 forall (m : Z) (K : Z -> R) (a : R) (x : R),
   (3 <= m)%Z ->
@@ -59,9 +55,7 @@ exists (m : Z) (K : Z -> R) (a : R) (x : R),
 End family_casteljau.
 
 Module family_casteljau_slip.
-(* bezier/family.casteljau.slip, Families
-   printed: A common slip: Σ B_{j,m}(x) Q_j = Σ B_{j,m+1}(x) K_j for all a
-   stated: sum(j, 0, m, B[j,m](x)*Q[j]) == sum(j, 0, m + 1, B[j,m+1](x)*K[j]) *)
+(* bezier/family.casteljau.slip *)
 Definition statement : Prop :=
 forall (m : Z) (K : Z -> R) (a : R) (x : R),
   (3 <= m)%Z ->
@@ -75,9 +69,7 @@ forall (m : Z) (K : Z -> R) (a : R) (x : R),
 End family_casteljau_slip.
 
 Module family_weights.
-(* bezier/family.weights, Families
-   printed: A rational curve does not change if all weights are multiplied with a number b.
-   stated: sum(j, 0, m, W[j]*B[j,m](x)*P[j])*sum(j, 0, m, w[j]*B[j,m](x)) == sum(j, 0, m, w[j]*B[j,m](x)*P[j])*sum(j, 0, m, W[j]*B[j,m](x)) *)
+(* bezier/family.weights *)
 Definition W (b : R) (w : Z -> R) (j : Z) : R :=
   b * w j.
 Definition statement : Prop :=

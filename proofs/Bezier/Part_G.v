@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module join_G2.
-(* bezier/join.G2, G2, beta constraints
-   printed: R_2 = P_m + (2 m β_1/n + m β_2/(n(n-1))) Δ_1 + β_1² m(m-1)/(n(n-1)) Δ_2
-   stated: R[2] == P[m] + (2*m*beta1/n + m*beta2/(n*(n - 1)))*d1 + beta1^2*m*(m - 1)/(n*(n - 1))*d2 *)
+(* bezier/join.G2 *)
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition S_ (R_ : Z -> R) (n : Z) (x : Z) : R :=

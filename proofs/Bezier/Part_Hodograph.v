@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module curve_hodograph.
-(* bezier/curve.hodograph, Hodograph
-   printed: C'(x) = m sum_{i=0}^{m-1} B_{i,m-1}(x) (P_{i+1} - P_i)
-   stated: C'(x) == m*sum(i, 0, m - 1, B[i,m-1](x)*(P[i+1] - P[i])) *)
+(* bezier/curve.hodograph *)
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition C_ (P : Z -> R) (m : Z) (x : R) : R :=

@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module bernstein_precision.
-(* bezier/bernstein.precision, Linear precision
-   printed: sum_{i=0}^{m} (i/m) B_{i,m}(x) = x
-   stated: sum(i, 0, m, i/m*B[i,m](x)) == x *)
+(* bezier/bernstein.precision *)
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition statement : Prop :=

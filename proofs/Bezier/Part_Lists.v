@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module list_unity.
-(* bezier/list.unity, Lists
-   printed: The functions T_0, T_1, T_2 add up to one.
-   stated: T[0,2](x) + T[1,2](x) + T[2,2](x) == 1 *)
+(* bezier/list.unity *)
 Definition statement : Prop :=
 forall (v : R) (x : R),
   0 <= x <= 1 ->
@@ -22,9 +20,7 @@ exists (v : R) (x : R),
 End list_unity.
 
 Module list_nonnegative.
-(* bezier/list.nonnegative, Lists
-   printed: They are nonnegative for -1 <= v <= 2.
-   stated: nonnegative(T) *)
+(* bezier/list.nonnegative *)
 Definition statement : Prop :=
 forall (v : R) (x : R),
   (-1) <= v <= 2 ->
@@ -37,9 +33,7 @@ exists (v : R) (x : R),
 End list_nonnegative.
 
 Module list_nonnegative_slip.
-(* bezier/list.nonnegative.slip, Lists
-   printed: A common slip: they are nonnegative for -1 <= v <= 3.
-   stated: nonnegative(T) *)
+(* bezier/list.nonnegative.slip *)
 Definition statement : Prop :=
 forall (v : R) (x : R),
   (-1) <= v <= 3 ->

@@ -11,9 +11,7 @@ End Definitions.
 Import Definitions.
 
 Module bernstein_nonnegative.
-(* bezier/bernstein.nonnegative, Nonnegativity
-   printed: B_{i,m}(x) >= 0 for x in [0, 1]
-   stated: nonnegative(B) *)
+(* bezier/bernstein.nonnegative *)
 Definition statement : Prop :=
 forall (x : R),
   0 <= x <= 1 ->
@@ -24,9 +22,7 @@ exists (x : R),
 End bernstein_nonnegative.
 
 Module bernstein_nonnegative_slip.
-(* bezier/bernstein.nonnegative.slip, Nonnegativity
-   printed: A common slip: B_{2,3}(x) >= 0 for x in [0, 2] as well
-   stated: B[2,3](x) >= 0 *)
+(* bezier/bernstein.nonnegative.slip *)
 Definition statement : Prop :=
 forall (x : R),
   0 <= x <= 2 ->
@@ -34,9 +30,7 @@ forall (x : R),
 End bernstein_nonnegative_slip.
 
 Module trigonometric_nonnegative.
-(* bezier/trigonometric.nonnegative, Nonnegativity
-   printed: The four functions are nonnegative for λ, μ in [-2, 1].
-   stated: T[0,3](x) >= 0 and T[1,3](x) >= 0 and T[2,3](x) >= 0 and T[3,3](x) >= 0 *)
+(* bezier/trigonometric.nonnegative *)
 Definition statement : Prop :=
 forall (lambda : R) (mu : R) (x : R),
   (-2) <= lambda <= 1 ->
@@ -51,9 +45,7 @@ exists (lambda : R) (mu : R) (x : R),
 End trigonometric_nonnegative.
 
 Module trigonometric_nonnegative_slip.
-(* bezier/trigonometric.nonnegative.slip, Nonnegativity
-   printed: A common slip: the first function is nonnegative for λ in [-2, 2].
-   stated: T[0,3](x) >= 0 *)
+(* bezier/trigonometric.nonnegative.slip *)
 Definition statement : Prop :=
 forall (lambda : R) (mu : R) (x : R),
   (-2) <= lambda <= 2 ->

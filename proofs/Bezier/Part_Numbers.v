@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module exists_quotient_any.
-(* bezier/exists.quotient.any, Numbers that there are
-   printed: There is an r with r a = b: for all a but 0.
-   stated: r*a == b *)
+(* bezier/exists.quotient.any *)
 Definition statement : Prop :=
 forall (a : R) (b : R),
   a <> 0 ->
@@ -16,9 +14,7 @@ exists (a : R) (b : R),
 End exists_quotient_any.
 
 Module exists_above.
-(* bezier/exists.above, Numbers that there are
-   printed: For every a there is a number w > 0 with w > a.
-   stated: w > a *)
+(* bezier/exists.above *)
 Definition statement : Prop :=
 forall (a : R),
   0 <= a * a ->
@@ -29,9 +25,7 @@ exists (a : R),
 End exists_above.
 
 Module exists_root.
-(* bezier/exists.root, Numbers that there are
-   printed: Every square is the square of a number k >= 0.
-   stated: k^2 == a^2 *)
+(* bezier/exists.root *)
 Definition statement : Prop :=
 forall (a : R),
   0 <= a * a ->
@@ -42,17 +36,13 @@ exists (a : R),
 End exists_root.
 
 Module exists_none.
-(* bezier/exists.none, Numbers that there are
-   printed: A common slip: there is an r with r² = -1.
-   stated: r^2 == -1 *)
+(* bezier/exists.none *)
 Definition statement : Prop :=
   (let r := 1%Z in IZR r ^ 2) = (let r := 1%Z in - 1).
 End exists_none.
 
 Module exists_parallel.
-(* bezier/exists.parallel, Numbers that there are
-   printed: If p ≠ 0, and p and q are linearly dependent, then q = r p with an r.
-   stated: q == r*p *)
+(* bezier/exists.parallel *)
 Definition statement : Prop :=
 forall (p'1 p'2 : R) (q'1 q'2 : R),
   let p := [p'1; p'2] in
@@ -71,9 +61,7 @@ exists (p'1 p'2 : R) (q'1 q'2 : R),
 End exists_parallel.
 
 Module exists_parallel_only.
-(* bezier/exists.parallel.only, Numbers that there are
-   printed: and if q = r p with an r they are linearly dependent.
-   stated: p[1]*q[2] == p[2]*q[1] *)
+(* bezier/exists.parallel.only *)
 Definition statement : Prop :=
 forall (p'1 p'2 : R) (q'1 q'2 : R) (r : R),
   let p := [p'1; p'2] in

@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module bernstein_unity.
-(* bezier/bernstein.unity, Partition of unity
-   printed: The Bernstein polynomials of degree m sum to one.
-   stated: sum(i, 0, m, B[i,m](x)) == 1 *)
+(* bezier/bernstein.unity *)
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition statement : Prop :=
@@ -22,9 +20,7 @@ exists (m : Z) (x : R),
 End bernstein_unity.
 
 Module trigonometric_unity.
-(* bezier/trigonometric.unity, Partition of unity
-   printed: The four functions sum to one.
-   stated: sum(i, 0, 3, T[i,3](x)) == 1 *)
+(* bezier/trigonometric.unity *)
 Definition T (x : R) (lambda : R) (mu : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [(1 - sin (PI / 2 * x)) ^ 2 * (1 - lambda * sin (PI / 2 * x)); sin (PI / 2 * x) * (1 - sin (PI / 2 * x)) * (2 + lambda - lambda * sin (PI / 2 * x)); cos (PI / 2 * x) * (1 - cos (PI / 2 * x)) * (2 + mu - mu * cos (PI / 2 * x)); (1 - cos (PI / 2 * x)) ^ 2 * (1 - mu * cos (PI / 2 * x))] i k.
 Definition statement : Prop :=

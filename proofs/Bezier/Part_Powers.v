@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module power_next.
-(* bezier/power.next, Powers
-   printed: (1 - x)^m (1 - x) = (1 - x)^{m+1}
-   stated: (1 - x)^m*(1 - x) == (1 - x)^(m + 1) *)
+(* bezier/power.next *)
 Definition statement : Prop :=
 forall (m : Z) (x : R),
   (3 <= m)%Z ->
@@ -22,9 +20,7 @@ exists (m : Z) (x : R),
 End power_next.
 
 Module power_rate.
-(* bezier/power.rate, Powers
-   printed: The derivative of (1 - x)^m is -m (1 - x)^{m-1}.
-   stated: D((1 - x)^m, x) == -m*(1 - x)^(m - 1) *)
+(* bezier/power.rate *)
 Definition statement : Prop :=
 forall (m : Z) (x : R),
   (3 <= m)%Z ->
@@ -43,9 +39,7 @@ exists (m : Z) (x : R),
 End power_rate.
 
 Module power_rate_slip.
-(* bezier/power.rate.slip, Powers
-   printed: A common slip: the derivative of (1 - x)^m is m (1 - x)^{m-1}.
-   stated: D((1 - x)^m, x) == m*(1 - x)^(m - 1) *)
+(* bezier/power.rate.slip *)
 Definition statement : Prop :=
 forall (m : Z) (x : R),
   (3 <= m)%Z ->
@@ -57,9 +51,7 @@ forall (m : Z) (x : R),
 End power_rate_slip.
 
 Module power_rate_slip_corrected.
-(* bezier/power.rate.slip (corrected), Powers
-   printed: A common slip: the derivative of (1 - x)^m is m (1 - x)^{m-1}.
-   stated: D((1 - x)^m, x) == -(m*(1 - x)^(m - 1)) *)
+(* bezier/power.rate.slip (corrected) *)
 Definition statement : Prop :=
 forall (m : Z) (x : R),
   (3 <= m)%Z ->
@@ -78,9 +70,7 @@ exists (m : Z) (x : R),
 End power_rate_slip_corrected.
 
 Module power_product.
-(* bezier/power.product, Powers
-   printed: (a b)^m a^k = a^{m+k} b^m
-   stated: (a*b)^m*a^k == a^(m + k)*b^m *)
+(* bezier/power.product *)
 Definition statement : Prop :=
 forall (k : Z) (m : Z) (a : R) (b : R),
   (0 <= k)%Z ->
@@ -101,9 +91,7 @@ exists (k : Z) (m : Z) (a : R) (b : R),
 End power_product.
 
 Module power_ends.
-(* bezier/power.ends, Powers
-   printed: B_{0,m}(x) = (1 - x)^m and B_{m,m}(x) = x^m
-   stated: B[0,m](x) == (1 - x)^m and B[m,m](x) == x^m *)
+(* bezier/power.ends *)
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition statement : Prop :=
@@ -124,9 +112,7 @@ exists (m : Z) (x : R),
 End power_ends.
 
 Module power_binomial.
-(* bezier/power.binomial, Powers
-   printed: Σ binom(m, j) u^{m-j} v^j = (u + v)^m
-   stated: sum(j, 0, m, binom(m, j)*u^(m - j)*v^j) == (u + v)^m *)
+(* bezier/power.binomial *)
 Definition statement : Prop :=
 forall (m : Z) (u : R) (v : R),
   (3 <= m)%Z ->

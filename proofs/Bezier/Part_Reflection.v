@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module curve_reflection.
-(* bezier/curve.reflection, Reflection
-   printed: The reversed control polygon gives the same curve, run through backwards.
-   stated: sum(i, 0, m, B[i,m](x)*P[m-i]) == C(1 - x) *)
+(* bezier/curve.reflection *)
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition C_ (P : Z -> R) (m : Z) (x : R) : R :=

@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module reach_unit.
-(* bezier/reach.unit, Roots
-   printed: p/|p| is one long, for p ≠ 0.
-   stated: norm(p/norm(p)) == 1 *)
+(* bezier/reach.unit *)
 Definition statement : Prop :=
 forall (p'1 p'2 p'3 : R),
   let p := [p'1; p'2; p'3] in
@@ -20,9 +18,7 @@ exists (p'1 p'2 p'3 : R),
 End reach_unit.
 
 Module reach_unit_zero.
-(* bezier/reach.unit.zero, Roots
-   printed: p/|p| is one long.
-   stated: norm(p/norm(p)) == 1 *)
+(* bezier/reach.unit.zero *)
 Definition statement : Prop :=
 forall (p'1 p'2 p'3 : R),
   let p := [p'1; p'2; p'3] in
@@ -37,9 +33,7 @@ exists (p'1 p'2 p'3 : R),
 End reach_unit_zero.
 
 Module reach_size.
-(* bezier/reach.size, Roots
-   printed: |y z| = |y| |z|, and |y| = √(y²)
-   stated: abs(y*z) == abs(y)*abs(z) and abs(y) == sqrt(y^2) *)
+(* bezier/reach.size *)
 Definition statement : Prop :=
 forall (y : R) (z : R),
   0 <= y * z * (y * z) ->
@@ -56,9 +50,7 @@ exists (y : R) (z : R),
 End reach_size.
 
 Module reach_size_slip.
-(* bezier/reach.size.slip, Roots
-   printed: A common slip: √(y²) = y
-   stated: sqrt(y^2) == y *)
+(* bezier/reach.size.slip *)
 Definition statement : Prop :=
 forall (y : R),
   0 <= y ^ 2 ->
@@ -66,9 +58,7 @@ forall (y : R),
 End reach_size_slip.
 
 Module reach_product.
-(* bezier/reach.product, Roots
-   printed: √A √B = √(A B) for A, B >= 0
-   stated: sqrt(A)*sqrt(B) == sqrt(A*B) *)
+(* bezier/reach.product *)
 Definition statement : Prop :=
 forall (A : R) (B : R),
   0 <= A ->
@@ -83,9 +73,7 @@ exists (A : R) (B : R),
 End reach_product.
 
 Module reach_least.
-(* bezier/reach.least, Roots
-   printed: √(y² + 1) > 0 and |y| >= 0
-   stated: sqrt(y^2 + 1) > 0 and abs(y) >= 0 *)
+(* bezier/reach.least *)
 Definition statement : Prop :=
 forall (y : R),
   0 <= y ^ 2 + 1 ->
@@ -98,9 +86,7 @@ exists (y : R),
 End reach_least.
 
 Module reach_triangle.
-(* bezier/reach.triangle, Roots
-   printed: |p + q| <= |p| + |q|
-   stated: norm(p + q) <= norm(p) + norm(q) *)
+(* bezier/reach.triangle *)
 Definition statement : Prop :=
 forall (p'1 p'2 p'3 : R) (q'1 q'2 q'3 : R),
   let p := [p'1; p'2; p'3] in
@@ -109,9 +95,7 @@ forall (p'1 p'2 p'3 : R) (q'1 q'2 q'3 : R),
 End reach_triangle.
 
 Module reach_triangle_slip.
-(* bezier/reach.triangle.slip, Roots
-   printed: A common slip: |p + q| < |p| + |q|
-   stated: norm(p + q) < norm(p) + norm(q) *)
+(* bezier/reach.triangle.slip *)
 Definition statement : Prop :=
 forall (p'1 p'2 p'3 : R) (q'1 q'2 q'3 : R),
   let p := [p'1; p'2; p'3] in
@@ -120,9 +104,7 @@ forall (p'1 p'2 p'3 : R) (q'1 q'2 q'3 : R),
 End reach_triangle_slip.
 
 Module reach_subadditive.
-(* bezier/reach.subadditive, Roots
-   printed: √(A + B) <= √A + √B for A, B >= 0
-   stated: sqrt(A + B) <= sqrt(A) + sqrt(B) *)
+(* bezier/reach.subadditive *)
 Definition statement : Prop :=
 forall (A : R) (B : R),
   0 <= A ->
@@ -137,9 +119,7 @@ exists (A : R) (B : R),
 End reach_subadditive.
 
 Module reach_above.
-(* bezier/reach.above, Roots
-   printed: √(y² + 1) > |y| >= y
-   stated: sqrt(y^2 + 1) > abs(y) and abs(y) >= y *)
+(* bezier/reach.above *)
 Definition statement : Prop :=
 forall (y : R),
   0 <= y ^ 2 + 1 ->

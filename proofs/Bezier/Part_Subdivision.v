@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module curve_midpoint.
-(* bezier/curve.midpoint, Subdivision of a cubic at 1/2
-   printed: C(1/2) = (P_0 + 3P_1 + 3P_2 + P_3)/8
-   stated: K(1/2) == 1/8*(P[0] + 3*P[1] + 3*P[2] + P[3]) *)
+(* bezier/curve.midpoint *)
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition K (P : Z -> R) (x : R) : R :=

@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module sum_powers.
-(* bezier/sum.powers, Sums
-   printed: Σ j^3 = (m (m + 1)/2)^2, j from 1 to m
-   stated: sum(j, 1, m, j^3) == (m*(m + 1)/2)^2 *)
+(* bezier/sum.powers *)
 Definition statement : Prop :=
 forall (m : Z),
   (3 <= m)%Z ->
@@ -16,9 +14,7 @@ exists (m : Z),
 End sum_powers.
 
 Module sum_powers_slip.
-(* bezier/sum.powers.slip, Sums
-   printed: A common slip: Σ j² = m (m + 1)(2 m + 1)/3, j from 1 to m
-   stated: sum(j, 1, m, j^2) == m*(m + 1)*(2*m + 1)/3 *)
+(* bezier/sum.powers.slip *)
 Definition statement : Prop :=
 forall (m : Z),
   (3 <= m)%Z ->
@@ -26,9 +22,7 @@ forall (m : Z),
 End sum_powers_slip.
 
 Module sum_powers_slip_corrected.
-(* bezier/sum.powers.slip (corrected), Sums
-   printed: A common slip: Σ j² = m (m + 1)(2 m + 1)/3, j from 1 to m
-   stated: sum(j, 1, m, j^2) == m*(m + 1)*(2*m + 1)/6 *)
+(* bezier/sum.powers.slip (corrected) *)
 Definition statement : Prop :=
 forall (m : Z),
   (3 <= m)%Z ->
@@ -39,9 +33,7 @@ exists (m : Z),
 End sum_powers_slip_corrected.
 
 Module sum_swap.
-(* bezier/sum.swap, Sums
-   printed: Σ_j Σ_{l<=j} P_l = Σ_j (m + 1 - j) P_j
-   stated: sum(j, 0, m, sum(l, 0, j, P[l])) == sum(j, 0, m, (m + 1 - j)*P[j]) *)
+(* bezier/sum.swap *)
 Definition statement : Prop :=
 forall (m : Z) (P : Z -> R),
   (3 <= m)%Z ->
@@ -54,9 +46,7 @@ exists (m : Z) (P : Z -> R),
 End sum_swap.
 
 Module sum_swap_weighted.
-(* bezier/sum.swap.weighted, Sums
-   printed: Σ_j Σ_{l<=j} (j - l) P_l = Σ_j (m - j)(m + 1 - j)/2 P_j
-   stated: sum(j, 0, m, sum(l, 0, j, (j - l)*P[l])) == sum(j, 0, m, (m - j)*(m + 1 - j)/2*P[j]) *)
+(* bezier/sum.swap.weighted *)
 Definition statement : Prop :=
 forall (m : Z) (P : Z -> R),
   (3 <= m)%Z ->
@@ -69,9 +59,7 @@ exists (m : Z) (P : Z -> R),
 End sum_swap_weighted.
 
 Module sum_swap_slip.
-(* bezier/sum.swap.slip, Sums
-   printed: A common slip: Σ_j Σ_{l<=j} P_l = Σ_j (m - j) P_j
-   stated: sum(j, 0, m, sum(l, 0, j, P[l])) == sum(j, 0, m, (m - j)*P[j]) *)
+(* bezier/sum.swap.slip *)
 Definition statement : Prop :=
 forall (m : Z) (P : Z -> R),
   (3 <= m)%Z ->

@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module bernstein_symmetry.
-(* bezier/bernstein.symmetry, Symmetry
-   printed: B_{m-i,m}(x) = B_{i,m}(1 - x)
-   stated: B[m-i,m](x) == B[i,m](1 - x) *)
+(* bezier/bernstein.symmetry *)
 Definition B (x : R) (i : Z) (k : Z) : R :=
   basis (1 - x) x [1] i k.
 Definition statement : Prop :=
@@ -30,9 +28,7 @@ exists (i : Z) (m : Z) (x : R),
 End bernstein_symmetry.
 
 Module trigonometric_symmetry.
-(* bezier/trigonometric.symmetry, Symmetry
-   printed: T_{3-i}(x; λ, μ) = T_i(1 - x; μ, λ)
-   stated: sum(i, 0, 3, T[3-i,3](x, lambda, mu)*P[i]) == sum(i, 0, 3, T[i,3](1 - x, mu, lambda)*P[i]) *)
+(* bezier/trigonometric.symmetry *)
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R) (x : R),
   (-2) <= lambda <= 1 ->
@@ -47,9 +43,7 @@ exists (P : Z -> R) (lambda : R) (mu : R) (x : R),
 End trigonometric_symmetry.
 
 Module trigonometric_symmetry_slip.
-(* bezier/trigonometric.symmetry.slip, Symmetry
-   printed: A common slip: T_{3-i}(x; λ, μ) = T_i(1 - x; λ, μ)
-   stated: sum(i, 0, 3, T[3-i,3](x, lambda, mu)*P[i]) == sum(i, 0, 3, T[i,3](1 - x, lambda, mu)*P[i]) *)
+(* bezier/trigonometric.symmetry.slip *)
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R) (x : R),
   (-2) <= lambda <= 1 ->
@@ -59,9 +53,7 @@ forall (P : Z -> R) (lambda : R) (mu : R) (x : R),
 End trigonometric_symmetry_slip.
 
 Module trigonometric_symmetry_slip_corrected.
-(* bezier/trigonometric.symmetry.slip (corrected), Symmetry
-   printed: A common slip: T_{3-i}(x; λ, μ) = T_i(1 - x; λ, μ)
-   stated: sum(i, 0, 3, T[3-i,3](x, lambda, mu)*P[i]) == sum(i, 0, 3, T[i,3](1 - x, mu, lambda)*P[i]) *)
+(* bezier/trigonometric.symmetry.slip (corrected) *)
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R) (x : R),
   (-2) <= lambda <= 1 ->

@@ -15,10 +15,7 @@ End Definitions.
 Import Definitions.
 
 Module abs_conics_planes.
-(* gbt-developable/abs-conics.planes, Abstract, second sentence
-   printed: Developable Bézier surfaces ..., due to polynomial depiction and having no shape parameter, they cannot describe conics exactly and can only handle a few shapes.
-   read as: 'they' are the developable Bézier surfaces of this paper's kind, (3.1) with Bernstein polynomials in place of the GBTB functions: the family with the control planes (1,0,0,1), (1,1,0,1), (0,2,0,2) has no arc of the unit circle as its section Z = 0.
-   stated: fails(profile[1]^2 + profile[2]^2 == 1 and profile[3] == 0) *)
+(* gbt-developable/abs-conics.planes *)
 Definition bernstein_family (u : R) : list R :=
   vadd (vadd (vscale ((1 - u) ^ 2) [1; 0; 0; 1]) (vscale (2 * u * (1 - u)) [1; 1; 0; 1])) (vscale (u ^ 2) [0; 2; 0; 2]).
 Definition profile (u : R) : list R :=
@@ -31,10 +28,7 @@ forall (u : R),
 End abs_conics_planes.
 
 Module abs_conics_points.
-(* gbt-developable/abs-conics.points, Abstract, second sentence
-   printed: Developable Bézier surfaces ..., due to polynomial depiction and having no shape parameter, they cannot describe conics exactly and can only handle a few shapes.
-   read as: 'they' are surfaces with polynomial coordinates of their points: a quadratic curve p0 + t p1 + t² p2 on a sphere has p2 = 0, since the fourth derivative of the square of its length is 24 |p2|².
-   stated: D(dot(points(u), points(u)), u, 4) == 24*dot(p2, p2) *)
+(* gbt-developable/abs-conics.points *)
 Definition points (p0 : list R) (p1 : list R) (p2 : list R) (t : R) : list R :=
   vadd (vadd p0 (vscale t p1)) (vscale (t ^ 2) p2).
 Definition statement : Prop :=
@@ -46,9 +40,7 @@ forall (p0'1 p0'2 p0'3 : R) (p1'1 p1'2 p1'3 : R) (p2'1 p2'2 p2'3 : R) (u : R),
 End abs_conics_points.
 
 Module abs_4d_factor.
-(* gbt-developable/abs-4d.factor, Abstract
-   printed: A plane and its multiples are one plane.
-   stated: foot(factor*A, B) == foot(A, B) and midpoint(factor*A) == midpoint(A) *)
+(* gbt-developable/abs-4d.factor *)
 Definition midpoint (P : list R) : list R :=
   vscale (entry P 4 / dot (normal P) (normal P)) (normal P).
 Definition statement : Prop :=

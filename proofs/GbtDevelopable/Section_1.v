@@ -21,10 +21,7 @@ End Definitions.
 Import Definitions.
 
 Module intro_gk_by_the_printed_conditions.
-(* gbt-developable/intro-gk.by the printed conditions, Sect. 1, list of contributions, third item
-   printed: The complex computer-based developable surfaces using GBT-Bézier patches are composed by G^k (k = 1, 2, 3) continuity conditions.
-   read as: The compositions are made with (5.12), the strongest of the printed conditions with γ = 1.
-   stated: H2'(0) == H1'(1) and H2''(0) == H1''(1) and H2'''(0) == H1'''(1) *)
+(* gbt-developable/intro-gk.by the printed conditions *)
 Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
   (2 * (IZR k - 2) + PI * (1 + nu1)) / (2 * (IZR l - 2) + PI * (1 + mu2)).
 Definition cl (l : Z) (mu2 : R) : R :=
@@ -60,10 +57,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End intro_gk_by_the_printed_conditions.
 
 Module intro_gk_there_are_such_compositions.
-(* gbt-developable/intro-gk.there are such compositions, Sect. 1, list of contributions, third item
-   printed: The complex computer-based developable surfaces using GBT-Bézier patches are composed by G^k (k = 1, 2, 3) continuity conditions.
-   read as: Such compositions can be made: exhibited for every first family, with one of order 3 and vanishing shape parameters for the second.
-   stated: next(0) == H1(1) and next'(0) == H1'(1) and next''(0) == H1''(1) and next'''(0) == H1'''(1) *)
+(* gbt-developable/intro-gk.there are such compositions *)
 Definition N0 (P1 : Z -> R) (k : Z) : R :=
   P1 k.
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
@@ -108,10 +102,7 @@ exists (k : Z) (P1 : Z -> R) (mu1 : R) (nu1 : R),
 End intro_gk_there_are_such_compositions.
 
 Module intro_continuity_free_a.
-(* gbt-developable/intro-continuity-free.a, Sect. 1, list of contributions, last item, for the smooth connection (5.5)
-   printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
-   read as: 'smooth connection' is checked for each of the paper's three conditions: (5.5), (5.12), (5.16). Here (5.5): the shape parameters of the second family are changed from mu2, nu2 to mu3, nu3, and (5.5) is met again, with another gamma.
-   stated: N2(0) == H1(1) and N2'(0) == ratio*H1'(1) *)
+(* gbt-developable/intro-continuity-free.a *)
 Definition N2 (P2 : Z -> R) (l : Z) (mu3 : R) (nu3 : R) (x : Z) : R :=
   sum 0%Z l (fun i => g (IZR x) mu3 nu3 i l * P2 i).
 Definition N2_ (P2 : Z -> R) (l : Z) (mu3 : R) (nu3 : R) (x : R) : R :=
@@ -156,10 +147,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End intro_continuity_free_a.
 
 Module intro_continuity_free_b_any_values.
-(* gbt-developable/intro-continuity-free.b.any values, Sect. 1, list of contributions, last item, for the smooth connection (5.12)
-   printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
-   read as: Whatever values the shape parameters of the second family get, the derivatives still agree.
-   stated: N2'(0) == H1'(1) and N2''(0) == H1''(1) *)
+(* gbt-developable/intro-continuity-free.b.any values *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (mu3 : R) (nu1 : R) (nu2 : R) (nu3 : R),
   (2 <= k)%Z ->
@@ -179,10 +167,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (mu3 : R)
 End intro_continuity_free_b_any_values.
 
 Module intro_continuity_free_b_suitable_values.
-(* gbt-developable/intro-continuity-free.b.suitable values, Sect. 1, list of contributions, last item, for the smooth connection (5.12)
-   printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
-   read as: There are other values with which the connection stays: exhibited for cubic families that join with all shape parameters 0, of which all four are changed together, along a curve with the parameter t.
-   stated: N2(0) == N1(1) and N2'(0) == N1'(1) and N2''(0) == N1''(1) and -1 <= inner and inner <= 1 and -1 <= outer and outer <= 1 and fails(inner == 0) and fails(outer == 0) *)
+(* gbt-developable/intro-continuity-free.b.suitable values *)
 Definition F2 (B : Z -> R) (x : Z) : R :=
   sum 0%Z 3%Z (fun i => g (IZR x) 0 0 i 3%Z * B i).
 Definition F1 (A : Z -> R) (x : Z) : R :=
@@ -231,10 +216,7 @@ exists (A : Z -> R) (B : Z -> R) (t : R),
 End intro_continuity_free_b_suitable_values.
 
 Module intro_continuity_free_c_any_values.
-(* gbt-developable/intro-continuity-free.c.any values, Sect. 1, list of contributions, last item, for the smooth connection (5.16)
-   printed: The local and overall shape of a composite developable GBT-Bézier surface with a smooth connection can be accommodated by modifying its shape parameters without re-establishing the control planes.
-   read as: The shape parameters of the second family are changed from mu2, nu2 to any mu3, nu3. The first derivatives then have the ratio `ratio`, and the second derivative needs the square of it before that of the first family; what is free besides are multiples of the end plane and of the first derivative, in which Q_{k-2,1} does not occur.
-   stated: coefficients([N2''(0)], [P1[k-2]]) == ratio^2*coefficients([H1''(1)], [P1[k-2]]) *)
+(* gbt-developable/intro-continuity-free.c.any values *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (mu3 : R) (nu1 : R) (nu2 : R) (nu3 : R) (P2_0_of_t : R -> R) (P2_1_of_t : R -> R) (P2_2_of_t : R -> R),
   0 < gamma ->
@@ -263,10 +245,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End intro_continuity_free_c_any_values.
 
 Module intro_contrib_1.
-(* gbt-developable/intro-contrib-1, Sect. 1, list of contributions, first item
-   printed: Construction of GBT-Bézier surface by a new set of GBTB functions with two shape parameters.
-   read as: The family of planes of the surface changes with both shape parameters.
-   stated: fails(D(H(x), mu) == 0) and fails(D(H(x), nu) == 0) *)
+(* gbt-developable/intro-contrib-1 *)
 Definition H (Q : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition H_ (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
@@ -299,10 +278,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
 End intro_contrib_1.
 
 Module intro_contrib_2.
-(* gbt-developable/intro-contrib-2, Sect. 1, list of contributions, second item
-   printed: Construction of some computer-based engineering surfaces using GBT-Bézier with shape parameters.
-   read as: The surfaces are those of Sects. 3.2 and 3.3, of one family of planes. The planes of its derivative at the ends, which make the end generators of the first and the end points of the second, change with the shape parameters.
-   stated: fails(D(HT'(0), mu) == 0) and fails(D(HT'(1), nu) == 0) *)
+(* gbt-developable/intro-contrib-2 *)
 Definition HT (T : Z -> list R) (k : Z) (nu : R) (mu : R) (x : R) : list R :=
   vsum 4 0%Z k (fun i => vscale (g x mu nu i k) (T i)).
 Definition HT_ (T : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=
@@ -335,10 +311,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
 End intro_contrib_2.
 
 Module intro_contrib_4.
-(* gbt-developable/intro-contrib-4, Sect. 1, list of contributions, fourth item
-   printed: Our described developable GBT-Bézier surfaces take over the most advantageous features of the classical developable Bézier surfaces. Moreover, the shape adjustment property is additional to that of classical developable Bézier surfaces
-   read as: The features that carry over to the family of planes (3.1): the functions sum to one, the first and last plane are control planes; and the family changes with both shape parameters.
-   stated: sum(i, 0, k, g[i,k](x)) == 1 and H(0) == Q[0] and H(1) == Q[k] and fails(D(H(x), mu) == 0) and fails(D(H(x), nu) == 0) *)
+(* gbt-developable/intro-contrib-4 *)
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
   sum 0%Z k (fun i => g (IZR x) mu nu i k * Q i).
 Definition H_ (Q : Z -> R) (k : Z) (nu : R) (mu : R) (x : R) : R :=
@@ -377,10 +350,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R) (x : R),
 End intro_contrib_4.
 
 Module intro_gauss.
-(* gbt-developable/intro-gauss, Sect. 1, first paragraph, of (3.7)
-   printed: a smooth surface having zero Gaussian curvature at each point on it is known as a developable surface
-   read as: (3.7) is developable in this sense. It is linear in x1, so that the first coefficient of its second fundamental form is zero; the second is the part of φ' across the tangent plane, which is along a, and is zero too: so is the determinant of the form.
-   stated: direction_at'(0) == cross(a, a'') and dot(a, phi) == 0 and dot(a, J'(0)) == 0 and dot(a, direction_at'(0)) == 0 *)
+(* gbt-developable/intro-gauss *)
 Definition a (a0 : R) (a1 : R) (a2 : R) : list R :=
   [a0; a1; a2].
 Definition a' (a0' : R) (a1' : R) (a2' : R) : list R :=

@@ -9,10 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module def_2_dim.
-(* gbt-developable/def-2.dim, Sect. 2.2, Definition 2
-   printed: For any defined control points R_i ∈ R^k (k = 2, 3; i = 0, 1, ..., k)
-   read as: One letter is one number: the dimension of the space is then the order of the curve, 2 or 3.
-   stated: k <= 3 *)
+(* gbt-developable/def-2.dim *)
 Definition statement : Prop :=
 forall (k : Z),
   (2 <= k)%Z ->
@@ -20,10 +17,7 @@ forall (k : Z),
 End def_2_dim.
 
 Module sec_2_2_endpoints.
-(* gbt-developable/sec-2.2.endpoints, Sect. 2.2, last sentence
-   printed: These features specify that the GBT-Bézier curves interpolate to the end points of its convex hull
-   read as: 'end points of its convex hull' read as the first and last control point: G(0) = R_0, G(1) = R_k.
-   stated: G(0) == R[0] and G(1) == R[k] *)
+(* gbt-developable/sec-2.2.endpoints *)
 Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : Z) : R :=
   sum 0%Z k (fun i => g (IZR x) mu nu i k * R_ i).
 Definition statement : Prop :=
@@ -44,9 +38,7 @@ exists (k : Z) (R_ : Z -> R) (mu : R) (nu : R),
 End sec_2_2_endpoints.
 
 Module sec_2_2_convexity.
-(* gbt-developable/sec-2.2.convexity, Sect. 2.2, paragraph after Definition 2
-   printed: ... convexity ...
-   stated: sum(i, 0, k, g[i,k](x)) == 1 and nonnegative(g) *)
+(* gbt-developable/sec-2.2.convexity *)
 Definition statement : Prop :=
 forall (k : Z) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -63,10 +55,7 @@ exists (k : Z) (mu : R) (nu : R) (x : R),
 End sec_2_2_convexity.
 
 Module sec_2_2_symmetry.
-(* gbt-developable/sec-2.2.symmetry, Sect. 2.2, paragraph after Definition 2
-   printed: ... symmetry ...
-   read as: 'the aforementioned features of GBTB basis functions demonstrate': the symmetry of Theorem 1, item 4, and its μ = ν. The reversed polygon gives the same curve, run backwards.
-   stated: sum(i, 0, k, g[i,k](x, mu, nu)*R[k-i]) == sum(i, 0, k, g[i,k](1 - x, mu, nu)*R[i]) *)
+(* gbt-developable/sec-2.2.symmetry *)
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -87,9 +76,7 @@ exists (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
 End sec_2_2_symmetry.
 
 Module sec_2_2_symmetry_exchange.
-(* gbt-developable/sec-2.2.symmetry.exchange, Sect. 2.2, paragraph after Definition 2
-   printed: The symmetry of the curves for all shape parameters, with μ and ν exchanged.
-   stated: sum(i, 0, k, g[i,k](x, mu, nu)*R[k-i]) == sum(i, 0, k, g[i,k](1 - x, nu, mu)*R[i]) *)
+(* gbt-developable/sec-2.2.symmetry.exchange *)
 Definition statement : Prop :=
 forall (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
   (2 <= k)%Z ->
@@ -108,9 +95,7 @@ exists (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
 End sec_2_2_symmetry_exchange.
 
 Module sec_2_2_vd_quadratic.
-(* gbt-developable/sec-2.2.vd.quadratic, Sect. 2.2, paragraph after Definition 2
-   printed: The variation diminishing feature at k = 2: two Wronskians are positive.
-   stated: D(g[0,2](x), x, 2)*D(g[2,2](x), x) - D(g[0,2](x), x)*D(g[2,2](x), x, 2) > 0 and D(g[2,2](x) - g[0,2](x), x) > 0 *)
+(* gbt-developable/sec-2.2.vd.quadratic *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R) (x : R),
   (-1) < mu < 1 ->
@@ -125,9 +110,7 @@ exists (mu : R) (nu : R) (x : R),
 End sec_2_2_vd_quadratic.
 
 Module sec_2_2_vd_operator.
-(* gbt-developable/sec-2.2.vd.operator, Sect. 2.2, paragraph after Definition 2
-   printed: Every curve is made of the Bézier curve of the same control points and its first two derivatives.
-   stated: G(x) == F(x) + first/k*F'(x) + second/(k*(k - 1))*F''(x) *)
+(* gbt-developable/sec-2.2.vd.operator *)
 Definition G (R_ : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * R_ i).
 Definition b (x : R) (i : Z) (k : Z) : R :=
@@ -160,9 +143,7 @@ exists (k : Z) (R_ : Z -> R) (mu : R) (nu : R) (x : R),
 End sec_2_2_vd_operator.
 
 Module sec_2_2_vd_cubic.
-(* gbt-developable/sec-2.2.vd.cubic, Sect. 2.2, paragraph after Definition 2
-   printed: The variation diminishing feature at k = 3 for |μ|, |ν| ≤ 3/4: three determinants are positive.
-   stated: det([[D(l1, x), D(l2, x)], [D(l1, x, 2), D(l2, x, 2)]]) == 2*second and det([[D(l1, x), D(l2, x), D(l3, x)], [D(l1, x, 2), D(l2, x, 2), D(l3, x, 2)], [D(l1, x, 3), D(l2, x, 3), D(l3, x, 3)]]) == 12*third and first > 0 and second > 0 and third > 0 *)
+(* gbt-developable/sec-2.2.vd.cubic *)
 Definition f (mu : R) (nu : R) (x : R) : R :=
   1 - g x mu nu 0%Z 2%Z + g x mu nu 2%Z 2%Z - 2 * x.
 Definition l1 (mu : R) (nu : R) (x : R) : R :=
@@ -193,10 +174,7 @@ exists (mu : R) (nu : R) (x : R),
 End sec_2_2_vd_cubic.
 
 Module sec_2_2_geominv.
-(* gbt-developable/sec-2.2.geominv, Sect. 2.2, paragraph after Definition 2
-   printed: ... geometric invariance feature
-   read as: The curve of the images of the control points under an affine map is the image of the curve.
-   stated: sum(i, 0, k, g[i,k](x)*(M*R[i] + shift)) == M*G(x) + shift *)
+(* gbt-developable/sec-2.2.geominv *)
 Definition M (m1 : list R) (m2 : list R) (m3 : list R) : list (list R) :=
   [m1; m2; m3].
 Definition G (R_ : Z -> list R) (k : Z) (mu : R) (nu : R) (x : R) : list R :=

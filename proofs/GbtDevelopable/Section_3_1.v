@@ -11,10 +11,7 @@ End Definitions.
 Import Definitions.
 
 Module sec_3_1_space.
-(* gbt-developable/sec-3.1.space, Sect. 3.1
-   printed: Q_i = (p_i, q_i, r_i, s_i), p_i, q_i, r_i, s_i ∈ R (i = 0, 1, 2, ..., k) are the coordinates of the control points of a GBT-Bézier curve in a 3D projective space
-   read as: What makes the space a projective one is compared with the use of the coordinates in Sect. 3.2: a multiple of (p, q, r, s) is the same plane. The generator of two planes and the point of a plane nearest to the origin do not depend on the factors.
-   stated: foot(factor*A, factor2*B) == foot(A, B) and cross(direction(factor*A, factor2*B), direction(A, B)) == 0 and midpoint(factor*A) == midpoint(A) *)
+(* gbt-developable/sec-3.1.space *)
 Definition normal (P : list R) : list R :=
   [entry P 1; entry P 2; entry P 3].
 Definition direction (P : list R) (D_ : list R) : list R :=
@@ -53,9 +50,7 @@ exists (A'1 A'2 A'3 A'4 : R) (B'1 B'2 B'3 B'4 : R) (factor : R) (factor2 : R),
 End sec_3_1_space.
 
 Module eq_3_2.
-(* gbt-developable/eq-3.2, Sect. 3.1, eq. (3.2)
-   printed: H(x; μ, ν) = Σ g_{i,k}(x; μ, ν)(p_i, q_i, r_i, s_i) = {a0(x), a1(x), a2(x), a3(x)} = {Σ g_{i,k} p_i, Σ g_{i,k} q_i, Σ g_{i,k} r_i, Σ g_{i,k} s_i}
-   stated: HT(x) == [sum(i, 0, k, g[i,k](x)*T[i][1]), sum(i, 0, k, g[i,k](x)*T[i][2]), sum(i, 0, k, g[i,k](x)*T[i][3]), sum(i, 0, k, g[i,k](x)*T[i][4])] *)
+(* gbt-developable/eq-3.2 *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -74,10 +69,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
 End eq_3_2.
 
 Module eq_3_3.
-(* gbt-developable/eq-3.3, Sect. 3.1, eq. (3.3)
-   printed: a0(x) = Σ_{i=0}^{k} g_{i,k}(x) p_i, a1(x) = Σ g_{i,k}(x) q_i, a2(x) = Σ g_{i,k}(x) r_i, a3(x) = Σ g_{i,k}(x) s_i
-   read as: Compared with the coordinates of (3.1), the vector sum, one by one.
-   stated: HT(x)[1] == sum(i, 0, k, g[i,k](x)*T[i][1]) and HT(x)[2] == sum(i, 0, k, g[i,k](x)*T[i][2]) and HT(x)[3] == sum(i, 0, k, g[i,k](x)*T[i][3]) and HT(x)[4] == sum(i, 0, k, g[i,k](x)*T[i][4]) *)
+(* gbt-developable/eq-3.3 *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -96,10 +88,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
 End eq_3_3.
 
 Module eq_3_4.
-(* gbt-developable/eq-3.4, Sect. 3.1, eq. (3.4)
-   printed: {Π_x}: H(x; μ, ν) = {a0(x), a1(x), a2(x), a3(x)}
-   read as: The coordinates of (3.3), compared with (3.1).
-   stated: HT(x) == [sum(i, 0, k, g[i,k](x)*T[i][1]), sum(i, 0, k, g[i,k](x)*T[i][2]), sum(i, 0, k, g[i,k](x)*T[i][3]), sum(i, 0, k, g[i,k](x)*T[i][4])] *)
+(* gbt-developable/eq-3.4 *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -118,10 +107,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
 End eq_3_4.
 
 Module sec_3_1_ref.
-(* gbt-developable/sec-3.1.ref, Sect. 3.1, line before (3.4)
-   printed: Thus, equation (3.3) can be demonstrated as {Π_x}: H(x; μ, ν) = {a0(x), a1(x), a2(x), a3(x)}. (3.4)
-   read as: (3.3) by itself says nothing of the family: V is any plane in the place of H(x).
-   stated: V == [sum(i, 0, k, g[i,k](x)*T[i][1]), sum(i, 0, k, g[i,k](x)*T[i][2]), sum(i, 0, k, g[i,k](x)*T[i][3]), sum(i, 0, k, g[i,k](x)*T[i][4])] *)
+(* gbt-developable/sec-3.1.ref *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (V'1 V'2 V'3 V'4 : R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -134,9 +120,7 @@ forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (V'1 V'2 V'3 V'4 : R) (mu : R) (nu : R
 End sec_3_1_ref.
 
 Module sec_3_1_ref_true.
-(* gbt-developable/sec-3.1.ref.true, Sect. 3.1, line before (3.4)
-   printed: (3.2), written with the four functions of (3.3), is (3.4).
-   stated: HT(x) == [sum(i, 0, k, g[i,k](x)*T[i][1]), sum(i, 0, k, g[i,k](x)*T[i][2]), sum(i, 0, k, g[i,k](x)*T[i][3]), sum(i, 0, k, g[i,k](x)*T[i][4])] *)
+(* gbt-developable/sec-3.1.ref.true *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in

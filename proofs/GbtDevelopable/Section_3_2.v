@@ -27,10 +27,7 @@ End Definitions.
 Import Definitions.
 
 Module eq_3_5.
-(* gbt-developable/eq-3.5, Sect. 3.2, eq. (3.5)
-   printed: a0(x) X + a1(x) Y + a2(x) Z = a3(x)
-   read as: The difference of both sides is compared with the function F whose derivatives are the equations after it.
-   stated: F(x) == HT(x)[1]*X + HT(x)[2]*Y + HT(x)[3]*Z - HT(x)[4] *)
+(* gbt-developable/eq-3.5 *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (X : R) (Y : R) (Z_ : R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -49,9 +46,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (X : R) (Y : R) (Z_ : R) (mu : R) (nu 
 End eq_3_5.
 
 Module eq_3_6.
-(* gbt-developable/eq-3.6, Sect. 3.2, eq. (3.6)
-   printed: a'_0(x) X + a'_1(x) Y + a'_2(x) Z = a'_3(x)
-   stated: F'(x) == HT'(x)[1]*X + HT'(x)[2]*Y + HT'(x)[3]*Z - HT'(x)[4] *)
+(* gbt-developable/eq-3.6 *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (X : R) (Y : R) (Z_ : R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -70,18 +65,14 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (X : R) (Y : R) (Z_ : R) (mu : R) (nu 
 End eq_3_6.
 
 Module sec_3_2_phi.
-(* gbt-developable/sec-3.2.phi, Sect. 3.2, display after (3.6), second line
-   printed: φ = a(x) × a'(x)
-   stated: dot(phi, a) == 0 and dot(phi, a') == 0 *)
+(* gbt-developable/sec-3.2.phi *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R),
   dot (phi a0 a0' a1 a1' a2 a2') (a a0 a1 a2) = 0 /\ dot (phi a0 a0' a1 a1' a2 a2') (a' a0' a1' a2') = 0.
 End sec_3_2_phi.
 
 Module sec_3_2_theta.
-(* gbt-developable/sec-3.2.theta, Sect. 3.2, display after (3.6), first and third line
-   printed: J(x; μ, ν) = (φ, θ),  θ = a'_3(x) a(x) − a3(x) a'(x)
-   stated: cross(W, phi) == theta *)
+(* gbt-developable/sec-3.2.theta *)
 Definition statement : Prop :=
 forall (X : R) (Y : R) (Z_ : R) (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R) (a3 : R) (a3' : R),
   a3 = dot (a a0 a1 a2) (W X Y Z_) ->
@@ -94,19 +85,14 @@ exists (X : R) (Y : R) (Z_ : R) (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (
 End sec_3_2_theta.
 
 Module sec_3_2_phi_exp.
-(* gbt-developable/sec-3.2.phi-exp, Sect. 3.2, expanded φ
-   printed: φ = {a1 a'_2 − a2 a'_1, a2 a'_0 − a0 a'_2, a0 a'_1 − a1 a'_0}
-   stated: phi == [a1*a2' - a2*a1', a2*a0' - a0*a2', a0*a1' - a1*a0'] *)
+(* gbt-developable/sec-3.2.phi-exp *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R),
   phi a0 a0' a1 a1' a2 a2' = [a1 * a2' - a2 * a1'; a2 * a0' - a0 * a2'; a0 * a1' - a1 * a0'].
 End sec_3_2_phi_exp.
 
 Module sec_3_2_psi_vec.
-(* gbt-developable/sec-3.2.psi-vec, Sect. 3.2, first formula for ψ
-   printed: ψ(x) = (φ × θ) / (φ . φ)
-   read as: ψ is a point of both planes, (3.5) and (3.6).
-   stated: dot(a, psi) == a3 and dot(a', psi) == a3' *)
+(* gbt-developable/sec-3.2.psi-vec *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R) (a3 : R) (a3' : R),
   dot (phi a0 a0' a1 a1' a2 a2') (phi a0 a0' a1 a1' a2 a2') <> 0 ->
@@ -119,9 +105,7 @@ exists (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R) (a3 : R) (a3' : 
 End sec_3_2_psi_vec.
 
 Module sec_3_2_psi_nearest.
-(* gbt-developable/sec-3.2.psi-nearest, Sect. 3.2, sentence before ψ
-   printed: Let ψ(x) indicate the nearest point on the generator J(x; μ, ν) to the origin
-   stated: dot(a, psi) == a3 and dot(a', psi) == a3' and dot(psi + s*phi, psi + s*phi) - dot(psi, psi) == s^2*dot(phi, phi) *)
+(* gbt-developable/sec-3.2.psi-nearest *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R) (a3 : R) (a3' : R) (s : R),
   dot (phi a0 a0' a1 a1' a2 a2') (phi a0 a0' a1 a1' a2 a2') <> 0 ->
@@ -134,54 +118,42 @@ exists (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R) (a3 : R) (a3' : 
 End sec_3_2_psi_nearest.
 
 Module sec_3_2_psi_x.
-(* gbt-developable/sec-3.2.psi-x, Sect. 3.2, expanded ψ, numerator, first component
-   printed: [a2 a'_0 − a0 a'_2][a2 a'_3 − a3 a'_2] − [a0 a'_1 − a1 a'_0][a1 a'_3 − a3 a'_1]
-   stated: cross(phi, theta)[1] == (a2*a0' - a0*a2')*(a2*a3' - a3*a2') - (a0*a1' - a1*a0')*(a1*a3' - a3*a1') *)
+(* gbt-developable/sec-3.2.psi-x *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R) (a3 : R) (a3' : R),
   entry (cross (phi a0 a0' a1 a1' a2 a2') (theta a0 a0' a1 a1' a2 a2' a3 a3')) 1 = (a2 * a0' - a0 * a2') * (a2 * a3' - a3 * a2') - (a0 * a1' - a1 * a0') * (a1 * a3' - a3 * a1').
 End sec_3_2_psi_x.
 
 Module sec_3_2_psi_y.
-(* gbt-developable/sec-3.2.psi-y, Sect. 3.2, expanded ψ, numerator, second component
-   printed: [a0 a'_1 − a1 a'_0][a0 a'_3 − a3 a'_0] − [a1 a'_2 − a2 a'_1][a2 a'_3 − a3 a'_2]
-   stated: cross(phi, theta)[2] == (a0*a1' - a1*a0')*(a0*a3' - a3*a0') - (a1*a2' - a2*a1')*(a2*a3' - a3*a2') *)
+(* gbt-developable/sec-3.2.psi-y *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R) (a3 : R) (a3' : R),
   entry (cross (phi a0 a0' a1 a1' a2 a2') (theta a0 a0' a1 a1' a2 a2' a3 a3')) 2 = (a0 * a1' - a1 * a0') * (a0 * a3' - a3 * a0') - (a1 * a2' - a2 * a1') * (a2 * a3' - a3 * a2').
 End sec_3_2_psi_y.
 
 Module sec_3_2_psi_z.
-(* gbt-developable/sec-3.2.psi-z, Sect. 3.2, expanded ψ, numerator, third component
-   printed: [a1 a'_2 − a2 a'_1][a1 a'_3 − a3 a'_1] − [a2 a'_0 − a0 a'_2][a2 a'_0 − a0 a'_2]
-   stated: cross(phi, theta)[3] == (a1*a2' - a2*a1')*(a1*a3' - a3*a1') - (a2*a0' - a0*a2')*(a2*a0' - a0*a2') *)
+(* gbt-developable/sec-3.2.psi-z *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R) (a3 : R) (a3' : R),
   entry (cross (phi a0 a0' a1 a1' a2 a2') (theta a0 a0' a1 a1' a2 a2' a3 a3')) 3 = (a1 * a2' - a2 * a1') * (a1 * a3' - a3 * a1') - (a2 * a0' - a0 * a2') * (a2 * a0' - a0 * a2').
 End sec_3_2_psi_z.
 
 Module sec_3_2_psi_z_corrected.
-(* gbt-developable/sec-3.2.psi-z (corrected), Sect. 3.2, expanded ψ, numerator, third component
-   printed: [a1 a'_2 − a2 a'_1][a1 a'_3 − a3 a'_1] − [a2 a'_0 − a0 a'_2][a2 a'_0 − a0 a'_2]
-   stated: cross(phi, theta)[3] == (a1*a2' - a2*a1')*(a1*a3' - a3*a1') - (a2*a0' - a0*a2')*(a0*a3' - a3*a0') *)
+(* gbt-developable/sec-3.2.psi-z (corrected) *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R) (a3 : R) (a3' : R),
   entry (cross (phi a0 a0' a1 a1' a2 a2') (theta a0 a0' a1 a1' a2 a2' a3 a3')) 3 = (a1 * a2' - a2 * a1') * (a1 * a3' - a3 * a1') - (a2 * a0' - a0 * a2') * (a0 * a3' - a3 * a0').
 End sec_3_2_psi_z_corrected.
 
 Module sec_3_2_psi_den.
-(* gbt-developable/sec-3.2.psi-den, Sect. 3.2, expanded ψ, denominator
-   printed: [a1 a'_2 − a2 a'_1]^2 + [a2 a'_0 − a0 a'_2]^2 + [a0 a'_1 − a1 a'_0]^2
-   stated: dot(phi, phi) == (a1*a2' - a2*a1')^2 + (a2*a0' - a0*a2')^2 + (a0*a1' - a1*a0')^2 *)
+(* gbt-developable/sec-3.2.psi-den *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (a2' : R),
   dot (phi a0 a0' a1 a1' a2 a2') (phi a0 a0' a1 a1' a2 a2') = (a1 * a2' - a2 * a1') ^ 2 + (a2 * a0' - a0 * a2') ^ 2 + (a0 * a1' - a1 * a0') ^ 2.
 End sec_3_2_psi_den.
 
 Module eq_3_7.
-(* gbt-developable/eq-3.7, Sect. 3.2, eq. (3.7)
-   printed: J(x1, x; μ, ν) = x1 φ(x) + ψ(x), μ, ν ∈ [−1, 1], x ∈ [0, 1], x1 ∈ [−∞, ∞]
-   stated: dot(a, x1*phi + psi) == a3 and dot(a', x1*phi + psi) == a3' and W - (dot(W, phi)/dot(phi, phi)*phi + foot([a0, a1, a2, dot(a, W)], [a0', a1', a2', dot(a', W)])) == 0 *)
+(* gbt-developable/eq-3.7 *)
 Definition direction (P : list R) (D_ : list R) : list R :=
   cross (normal P) (normal D_).
 Definition moment (P : list R) (D_ : list R) : list R :=
@@ -202,10 +174,7 @@ exists (X : R) (Y : R) (Z_ : R) (a0 : R) (a0' : R) (a1 : R) (a1' : R) (a2 : R) (
 End eq_3_7.
 
 Module sec_3_2_envelope.
-(* gbt-developable/sec-3.2.envelope, Sect. 3.2, after (3.7)
-   printed: For distinct values of family parameter x in its given value range, all generators J(x; μ, ν) construct an enveloping developable GBT-Bézier surface having μ, ν as shape parameters.
-   read as: (3.7) is a surface with a tangent plane, and this is the plane (3.5) along each generator, for every x1. First derivatives of (3.7) need no more than the second derivatives of the plane.
-   stated: dot(a, phi) == 0 and dot(a, J'(0)) == 0 and cross(phi, J'(0))/(dot(a'', J(0)) - a3'') == a *)
+(* gbt-developable/sec-3.2.envelope *)
 Definition a'' (a0'' : R) (a1'' : R) (a2'' : R) : list R :=
   [a0''; a1''; a2''].
 Definition A (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2' : R) (a2'' : R) (e : Z) : list R :=

@@ -47,9 +47,7 @@ End Definitions.
 Import Definitions.
 
 Module eq_3_8.
-(* gbt-developable/eq-3.8, Sect. 3.3, eq. (3.8)
-   printed: a''_0(x) X + a''_1(x) Y + a''_2(x) Z = a''_3(x)
-   stated: F''(x) == HT''(x)[1]*X + HT''(x)[2]*Y + HT''(x)[3]*Z - HT''(x)[4] *)
+(* gbt-developable/eq-3.8 *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (X : R) (Y : R) (Z_ : R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -68,10 +66,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (X : R) (Y : R) (Z_ : R) (mu : R) (nu 
 End eq_3_8.
 
 Module eq_3_9.
-(* gbt-developable/eq-3.9, Sect. 3.3, eq. (3.9)
-   printed: a0 X + a1 Y + a2 Z = a3;  a'_0 X + a'_1 Y + a'_2 Z = a'_3;  a''_0 X + a''_1 Y + a''_2 Z = a''_3
-   read as: The three equations are (3.5), (3.6) and (3.8): compared with F and its first two derivatives.
-   stated: [F(x), F'(x), F''(x)] == [HT(x)[1]*X + HT(x)[2]*Y + HT(x)[3]*Z - HT(x)[4], HT'(x)[1]*X + HT'(x)[2]*Y + HT'(x)[3]*Z - HT'(x)[4], HT''(x)[1]*X + HT''(x)[2]*Y + HT''(x)[3]*Z - HT''(x)[4]] *)
+(* gbt-developable/eq-3.9 *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (X : R) (Y : R) (Z_ : R) (mu : R) (nu : R) (x : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -90,9 +85,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (X : R) (Y : R) (Z_ : R) (mu : R) (nu 
 End eq_3_9.
 
 Module sec_3_3_S_vec.
-(* gbt-developable/sec-3.3.S-vec, Sect. 3.3, vector formula for S(x)
-   printed: S(x) = ( a''_3 [a × a'] + a3 [a' × a''] + a'_3 [a'' × a'] ) / ( a [a' × a''] )
-   stated: S == (a3''*cross(a, a') + a3*cross(a', a'') + a3'*cross(a'', a'))/dot(a, cross(a', a'')) *)
+(* gbt-developable/sec-3.3.S-vec *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2' : R) (a2'' : R) (a3 : R) (a3' : R) (a3'' : R),
   det (system a0 a0' a0'' a1 a1' a1'' a2 a2' a2'') <> 0 ->
@@ -101,9 +94,7 @@ forall (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2'
 End sec_3_3_S_vec.
 
 Module sec_3_3_S_vec_corrected.
-(* gbt-developable/sec-3.3.S-vec (corrected), Sect. 3.3, vector formula for S(x)
-   printed: S(x) = ( a''_3 [a × a'] + a3 [a' × a''] + a'_3 [a'' × a'] ) / ( a [a' × a''] )
-   stated: S == (a3''*cross(a, a') + a3*cross(a', a'') + a3'*cross(a'', a))/dot(a, cross(a', a'')) *)
+(* gbt-developable/sec-3.3.S-vec (corrected) *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2' : R) (a2'' : R) (a3 : R) (a3' : R) (a3'' : R),
   det (system a0 a0' a0'' a1 a1' a1'' a2 a2' a2'') <> 0 ->
@@ -118,46 +109,35 @@ exists (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2'
 End sec_3_3_S_vec_corrected.
 
 Module sec_3_3_S_x.
-(* gbt-developable/sec-3.3.S-x, Sect. 3.3, expanded S(x), numerator, first component
-   printed: a''_3 [a1 a'_2 − a2 a'_1] + a3 [a'_1 a''_2 − a'_2 a''_1] + a'_3 [a''_1 a2 − a''_2 a1]
-   stated: cramer1 == a3''*(a1*a2' - a2*a1') + a3*(a1'*a2'' - a2'*a1'') + a3'*(a1''*a2 - a2''*a1) *)
+(* gbt-developable/sec-3.3.S-x *)
 Definition statement : Prop :=
 forall (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2' : R) (a2'' : R) (a3 : R) (a3' : R) (a3'' : R),
   cramer1 a1 a1' a1'' a2 a2' a2'' a3 a3' a3'' = a3'' * (a1 * a2' - a2 * a1') + a3 * (a1' * a2'' - a2' * a1'') + a3' * (a1'' * a2 - a2'' * a1).
 End sec_3_3_S_x.
 
 Module sec_3_3_S_y.
-(* gbt-developable/sec-3.3.S-y, Sect. 3.3, expanded S(x), numerator, second component
-   printed: a''_3 [a2 a'_0 − a0 a'_2] + a3 [a'_2 a''_0 − a'_0 a''_2] + a'_3 [a''_2 a0 − a''_0 a2]
-   stated: cramer2 == a3''*(a2*a0' - a0*a2') + a3*(a2'*a0'' - a0'*a2'') + a3'*(a2''*a0 - a0''*a2) *)
+(* gbt-developable/sec-3.3.S-y *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a0'' : R) (a2 : R) (a2' : R) (a2'' : R) (a3 : R) (a3' : R) (a3'' : R),
   cramer2 a0 a0' a0'' a2 a2' a2'' a3 a3' a3'' = a3'' * (a2 * a0' - a0 * a2') + a3 * (a2' * a0'' - a0' * a2'') + a3' * (a2'' * a0 - a0'' * a2).
 End sec_3_3_S_y.
 
 Module sec_3_3_S_z.
-(* gbt-developable/sec-3.3.S-z, Sect. 3.3, expanded S(x), numerator, third component
-   printed: a''_3 [a0 a'_1 − a1 a'_0] + a3 [a'_0 a''_1 − a'_1 a''_0] + a'_3 [a''_0 a1 − a''_1 a0]
-   stated: cramer3 == a3''*(a0*a1' - a1*a0') + a3*(a0'*a1'' - a1'*a0'') + a3'*(a0''*a1 - a1''*a0) *)
+(* gbt-developable/sec-3.3.S-z *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a3 : R) (a3' : R) (a3'' : R),
   cramer3 a0 a0' a0'' a1 a1' a1'' a3 a3' a3'' = a3'' * (a0 * a1' - a1 * a0') + a3 * (a0' * a1'' - a1' * a0'') + a3' * (a0'' * a1 - a1'' * a0).
 End sec_3_3_S_z.
 
 Module sec_3_3_S_den.
-(* gbt-developable/sec-3.3.S-den, Sect. 3.3, expanded S(x), denominator
-   printed: a0 [a'_1 a''_2 − a'_2 a''_1] + a1 [a'_2 a''_0 − a'_0 a''_2] + a2 [a'_0 a''_1 − a'_1 a''_0]
-   stated: det(system) == a0*(a1'*a2'' - a2'*a1'') + a1*(a2'*a0'' - a0'*a2'') + a2*(a0'*a1'' - a1'*a0'') *)
+(* gbt-developable/sec-3.3.S-den *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a0'' : R) (a1 : R) (a1' : R) (a1'' : R) (a2 : R) (a2' : R) (a2'' : R),
   det (system a0 a0' a0'' a1 a1' a1'' a2 a2' a2'') = a0 * (a1' * a2'' - a2' * a1'') + a1 * (a2' * a0'' - a0' * a2'') + a2 * (a0' * a1'' - a1' * a0'').
 End sec_3_3_S_den.
 
 Module sec_3_3_regression.
-(* gbt-developable/sec-3.3.regression, Sect. 3.3, first sentence and the sentences before (3.10)
-   printed: ... locus of this point is a curve, identified as a spine curve of the developable GBT-Bézier surface
-   read as: S lies on the generator and moves along it, with a velocity that is not zero: it is a curve, and the generators are its tangents.
-   stated: dot(a, S) == a3 and dot(a', S) == a3' and spine'(0)*det(system)^2/four == phi *)
+(* gbt-developable/sec-3.3.regression *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a0'' : R) (a0''' : R) (a1 : R) (a1' : R) (a1'' : R) (a1''' : R) (a2 : R) (a2' : R) (a2'' : R) (a2''' : R) (a3 : R) (a3' : R) (a3'' : R) (a3''' : R),
   det (system a0 a0' a0'' a1 a1' a1'' a2 a2' a2'') <> 0 ->
@@ -172,9 +152,7 @@ exists (a0 : R) (a0' : R) (a0'' : R) (a0''' : R) (a1 : R) (a1' : R) (a1'' : R) (
 End sec_3_3_regression.
 
 Module sec_3_3_regression_velocity.
-(* gbt-developable/sec-3.3.regression.velocity, Sect. 3.3
-   printed: The velocity of the spine curve.
-   stated: spine'(0) == four/det(system)^2*phi *)
+(* gbt-developable/sec-3.3.regression.velocity *)
 Definition statement : Prop :=
 forall (a0 : R) (a0' : R) (a0'' : R) (a0''' : R) (a1 : R) (a1' : R) (a1'' : R) (a1''' : R) (a2 : R) (a2' : R) (a2'' : R) (a2''' : R) (a3 : R) (a3' : R) (a3'' : R) (a3''' : R),
   locally (IZR 0%Z) (fun e => det [normal [entry (A a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' e) 1; entry (A a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' e) 2; entry (A a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' e) 3; A3 a3 a3' a3'' a3''' e]; normal [entry (vDerive 3 (fun e_ => A a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' e_) 1 e) 1; entry (vDerive 3 (fun e_ => A a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' e_) 1 e) 2; entry (vDerive 3 (fun e_ => A a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' e_) 1 e) 3; Derive_n (fun e_ => A3 a3 a3' a3'' a3''' e_) 1 e]; normal [entry (vDerive 3 (fun e_ => A a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' e_) 2 e) 1; entry (vDerive 3 (fun e_ => A a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' e_) 2 e) 2; entry (vDerive 3 (fun e_ => A a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' e_) 2 e) 3; Derive_n (fun e_ => A3 a3 a3' a3'' a3''' e_) 2 e]] <> 0) ->
@@ -189,9 +167,7 @@ exists (a0 : R) (a0' : R) (a0'' : R) (a0''' : R) (a1 : R) (a1' : R) (a1'' : R) (
 End sec_3_3_regression_velocity.
 
 Module sec_3_3_regression_quadratic.
-(* gbt-developable/sec-3.3.regression.quadratic, Sect. 3.3
-   printed: A quadratic family has no spine curve: its surface is a cone.
-   stated: meet(quadratic(x), quadratic'(x), quadratic''(x)) == meet(U[0], U[1], U[2]) *)
+(* gbt-developable/sec-3.3.regression.quadratic *)
 Definition quadratic (U : Z -> list R) (mu : R) (nu : R) (x : R) : list R :=
   vadd (vadd (vscale (g x mu nu 0%Z 2%Z) (U 0%Z)) (vscale (g x mu nu 1%Z 2%Z) (U 1%Z))) (vscale (g x mu nu 2%Z 2%Z) (U 2%Z)).
 Definition meet (A : list R) (B : list R) (C_ : list R) : list R :=
@@ -220,10 +196,7 @@ exists (U'1 U'2 U'3 U'4 : Z -> R) (mu : R) (nu : R) (x : R),
 End sec_3_3_regression_quadratic.
 
 Module eq_3_10.
-(* gbt-developable/eq-3.10, Sect. 3.3, eq. (3.10)
-   printed: V(x2, x; μ, ν) = S(x) + x2 S'(x), x2 ∈ (−∞, ∞), x ∈ [0, 1]
-   read as: Every point of (3.10) is on both planes (3.5) and (3.6), so on the generator of (3.7), and the direction of this is a multiple of S': x2 runs through all of it. Both surfaces are the same.
-   stated: dot(a, V) == a3 and dot(a', V) == a3' and det(system)^2/four*spine'(0) == phi *)
+(* gbt-developable/eq-3.10 *)
 Definition V (a0 : R) (a0' : R) (a0'' : R) (a0''' : R) (a1 : R) (a1' : R) (a1'' : R) (a1''' : R) (a2 : R) (a2' : R) (a2'' : R) (a2''' : R) (a3 : R) (a3' : R) (a3'' : R) (a3''' : R) (x2 : R) : list R :=
   vadd (S_ a0 a0' a0'' a1 a1' a1'' a2 a2' a2'' a3 a3' a3'') (vscale x2 (let e := 0%Z in vDerive 3 (fun e_ => spine a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' a3 a3' a3'' a3''' e_) 1 (IZR e))).
 Definition statement : Prop :=
@@ -240,10 +213,7 @@ exists (a0 : R) (a0' : R) (a0'' : R) (a0''' : R) (a1 : R) (a1' : R) (a1'' : R) (
 End eq_3_10.
 
 Module sec_3_3_developable.
-(* gbt-developable/sec-3.3.developable, Sect. 3.3, sentence before (3.10)
-   printed: the surface made up of the tangent lines of the spine curve S(x) is a spine curve developable GBT-Bézier surface
-   read as: The tangent vectors S' and S' + x2 S'' of (3.10) span the plane (3.5), the same for all x2: the tangent plane is constant along each ruling.
-   stated: cross(curve'(0), curve'(0) + x2*curve''(0))*det(system)^3/(x2*four^2) == a *)
+(* gbt-developable/sec-3.3.developable *)
 Definition B (a0 : R) (a0' : R) (a0'' : R) (a0''' : R) (a0'''' : R) (a1 : R) (a1' : R) (a1'' : R) (a1''' : R) (a1'''' : R) (a2 : R) (a2' : R) (a2'' : R) (a2''' : R) (a2'''' : R) (e : R) : list R :=
   vadd (A a0 a0' a0'' a0''' a1 a1' a1'' a1''' a2 a2' a2'' a2''' e) (vscale (e ^ 4 / 24) [a0''''; a1''''; a2'''']).
 Definition B3 (a3 : R) (a3' : R) (a3'' : R) (a3''' : R) (a3'''' : R) (e : R) : R :=

@@ -33,9 +33,7 @@ End Definitions.
 Import Definitions.
 
 Module eq_3_11_a.
-(* gbt-developable/eq-3.11.a, Sect. 3.4, eq. (3.11), first line
-   printed: H(0, μ, ν) = Q_0
-   stated: H(0) == Q[0] *)
+(* gbt-developable/eq-3.11.a *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -52,9 +50,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End eq_3_11_a.
 
 Module eq_3_11_b.
-(* gbt-developable/eq-3.11.b, Sect. 3.4, eq. (3.11), second line
-   printed: H'(0, μ, ν) = 1/2 (2(k − 2) + π(1 + μ)) (Q_1 − Q_0)
-   stated: H'(0) == 1/2*(2*(k - 2) + pi*(1 + mu))*(Q[1] - Q[0]) *)
+(* gbt-developable/eq-3.11.b *)
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
@@ -75,9 +71,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End eq_3_11_b.
 
 Module eq_3_11_c.
-(* gbt-developable/eq-3.11.c, Sect. 3.4, eq. (3.11), third line
-   printed: H''(0, μ, ν) = 1/4 [4(k − 2)(k − 3 + π(1 + μ))(Q_0 − 2 Q_1 + Q_2) + 2π² μ (Q_0 − Q_1) − π² (1 − ν)(Q_1 − Q_2)]
-   stated: H''(0) == 1/4*(4*(k - 2)*(k - 3 + pi*(1 + mu))*(Q[0] - 2*Q[1] + Q[2]) + 2*pi^2*mu*(Q[0] - Q[1]) - pi^2*(1 - nu)*(Q[1] - Q[2])) *)
+(* gbt-developable/eq-3.11.c *)
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
@@ -100,9 +94,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End eq_3_11_c.
 
 Module eq_3_12_a.
-(* gbt-developable/eq-3.12.a, Sect. 3.4, eq. (3.12), first line
-   printed: H(1, μ, ν) = Q_k
-   stated: H(1) == Q[k] *)
+(* gbt-developable/eq-3.12.a *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -119,9 +111,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End eq_3_12_a.
 
 Module eq_3_12_b.
-(* gbt-developable/eq-3.12.b, Sect. 3.4, eq. (3.12), second line
-   printed: H'(1, μ, ν) = 1/2 (2(k − 2) + π(1 + ν)) (Q_k − Q_{k−1})
-   stated: H'(1) == 1/2*(2*(k - 2) + pi*(1 + nu))*(Q[k] - Q[k-1]) *)
+(* gbt-developable/eq-3.12.b *)
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
@@ -142,9 +132,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End eq_3_12_b.
 
 Module eq_3_12_c.
-(* gbt-developable/eq-3.12.c, Sect. 3.4, eq. (3.12), third line
-   printed: H''(1, μ, ν) = 1/4 [4(k − 2)(k − 3 + π(1 + ν))(Q_{k−2} − 2 Q_{k−1} + Q_k) + π² (1 − μ)(Q_{k−2} − Q_{k−1}) − 2π² ν (Q_{k−1} − Q_k)]
-   stated: H''(1) == 1/4*(4*(k - 2)*(k - 3 + pi*(1 + nu))*(Q[k-2] - 2*Q[k-1] + Q[k]) + pi^2*(1 - mu)*(Q[k-2] - Q[k-1]) - 2*pi^2*nu*(Q[k-1] - Q[k])) *)
+(* gbt-developable/eq-3.12.c *)
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
@@ -167,10 +155,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End eq_3_12_c.
 
 Module sec_3_4_tangent_ends.
-(* gbt-developable/sec-3.4.tangent-ends, Sect. 3.4, paragraph after (3.12)
-   printed: at x = 0 and x = 1, these two planes are tangent to the defined developable GBT-Bézier surface with its generators J(x; μ, ν)
-   read as: Both tangent vectors of (3.7) at x = 0 lie in the plane Q_0, those at x = 1 in Q_k, for every x1. h, d, dd stand for H(0), H'(0), H''(0), and e, f, ff for H(1), H'(1), H''(1); of them the end planes are put in, the others are any planes.
-   stated: h == T[0] and dot(normal(T[0]), J0(0)) == T[0][4] and dot(normal(T[0]), direction(h, d)) == 0 and dot(normal(h), J0'(0)) == 0 and e == T[k] and dot(normal(T[k]), J1(0)) == T[k][4] and dot(normal(T[k]), direction(e, f)) == 0 and dot(normal(e), J1'(0)) == 0 *)
+(* gbt-developable/sec-3.4.tangent-ends *)
 Definition P (d : list R) (dd : list R) (h : list R) (t : Z) : list R :=
   vadd (vadd h (vscale (IZR t) d)) (vscale (IZR t ^ 2 / 2) dd).
 Definition P_ (d : list R) (dd : list R) (h : list R) (t : R) : list R :=
@@ -243,9 +228,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (d'1 d'2 d'3 d'4 : R) (dd'1 dd'2 dd'3 
 End sec_3_4_tangent_ends.
 
 Module eq_3_13.
-(* gbt-developable/eq-3.13, Sect. 3.4, eq. (3.13)
-   printed: t_0 . W = s_0;  (k − 2 + π/2 (1 + μ)) (t_1 − t_0) . W = (k − 2 + π/2 (1 + μ)) (s_1 − s_0),  where t_0 = (p_0, q_0, r_0), t_1 = (p_1, q_1, r_1), W = (X, Y, Z)
-   stated: dot(normal(HT(0)), W) - HT(0)[4] == dot(normal(T[0]), W) - T[0][4] and dot(normal(HT'(0)), W) - HT'(0)[4] == (k - 2 + pi/2*(1 + mu))*dot(normal(T[1]) - normal(T[0]), W) - (k - 2 + pi/2*(1 + mu))*(T[1][4] - T[0][4]) *)
+(* gbt-developable/eq-3.13 *)
 Definition W (X : R) (Y : R) (Z_ : R) : list R :=
   [X; Y; Z_].
 Definition statement : Prop :=
@@ -268,9 +251,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (X : R) (Y : R) (Z_ : R) (mu : R) (nu 
 End eq_3_13.
 
 Module sec_3_4_J0.
-(* gbt-developable/sec-3.4.J0, Sect. 3.4, after (3.13)
-   printed: from interpretation of 1st two planes of (3.13), the control plane Q_1 can be attained. Thus J(0; μ, ν), the starting generator is the intersection of control plane Q_0 and control plane Q_1.
-   stated: direction(T[0], T[1]) == direction(HT(0), HT'(0))/(k - 2 + pi/2*(1 + mu)) and moment(T[0], T[1]) == moment(HT(0), HT'(0))/(k - 2 + pi/2*(1 + mu)) *)
+(* gbt-developable/sec-3.4.J0 *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -295,9 +276,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
 End sec_3_4_J0.
 
 Module sec_3_4_dual.
-(* gbt-developable/sec-3.4.dual, Sect. 3.4, after (3.13)
-   printed: J(0; μ, ν) is tangent to the GBT-Bézier curve described by the control points Q_i (i = 0, 1, ..., k) as J(0; μ, ν) is dual to the line connecting the points Q_0 and Q_1
-   stated: Q[1] - Q[0] == H'(0)/(k - 2 + pi/2*(1 + mu)) *)
+(* gbt-developable/sec-3.4.dual *)
 Definition H (Q : Z -> R) (k : Z) (mu : R) (nu : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu nu i k * Q i).
 Definition statement : Prop :=
@@ -322,9 +301,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_dual.
 
 Module sec_3_4_J1.
-(* gbt-developable/sec-3.4.J1, Sect. 3.4, after (3.13)
-   printed: at x = 1 the last two control planes, control plane Q_{k−1} and control plane Q_k, represent the ending generator of a developable GBT-Bézier surface denoted as J(1; μ, ν)
-   stated: direction(T[k], T[k-1]) == -direction(HT(1), HT'(1))/(k - 2 + pi/2*(1 + nu)) and moment(T[k], T[k-1]) == -moment(HT(1), HT'(1))/(k - 2 + pi/2*(1 + nu)) *)
+(* gbt-developable/sec-3.4.J1 *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -349,9 +326,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
 End sec_3_4_J1.
 
 Module sec_3_4_m0_r1.
-(* gbt-developable/sec-3.4.m0-r1, Sect. 3.4, first matrix, row 1
-   printed: Q_0 = [1, 0, 0] . (H(0), H'(0), H''(0))
-   stated: Q[0] == 1*H(0) + 0*H'(0) + 0*H''(0) *)
+(* gbt-developable/sec-3.4.m0-r1 *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -368,9 +343,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m0_r1.
 
 Module sec_3_4_m0_r2.
-(* gbt-developable/sec-3.4.m0-r2, Sect. 3.4, first matrix, row 2
-   printed: Q_1 = [1, 2/(2(k−2) + π(1+μ)), 0] . (H(0), H'(0), H''(0))
-   stated: Q[1] == 1*H(0) + 2/(2*(k - 2) + pi*(1 + mu))*H'(0) + 0*H''(0) *)
+(* gbt-developable/sec-3.4.m0-r2 *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -389,9 +362,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m0_r2.
 
 Module sec_3_4_m0_r3_c1.
-(* gbt-developable/sec-3.4.m0-r3.c1, Sect. 3.4, first matrix, row 3, entry 1
-   printed: 1
-   stated: inverse(start)[3,1] == 1 *)
+(* gbt-developable/sec-3.4.m0-r3.c1 *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -418,10 +389,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m0_r3_c1.
 
 Module sec_3_4_m0_r3_c2.
-(* gbt-developable/sec-3.4.m0-r3.c2, Sect. 3.4, first matrix, row 3, entry 2
-   printed: 2(8 k_1 + π²(1 − ν + 2μ) / ((2(k−2) + π(1+μ)) (4 k_1 − π²(1 − ν)))
-   read as: Unbalanced bracket as printed; read as 2(8 k_1 + π²(1 − ν + 2μ)) over the product.
-   stated: inverse(start)[3,2] == 2*(8*k1 + pi^2*(1 - nu + 2*mu))/((2*(k - 2) + pi*(1 + mu))*(4*k1 - pi^2*(1 - nu))) *)
+(* gbt-developable/sec-3.4.m0-r3.c2 *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -436,10 +404,7 @@ forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m0_r3_c2.
 
 Module sec_3_4_m0_r3_c2_corrected.
-(* gbt-developable/sec-3.4.m0-r3.c2 (corrected), Sect. 3.4, first matrix, row 3, entry 2
-   printed: 2(8 k_1 + π²(1 − ν + 2μ) / ((2(k−2) + π(1+μ)) (4 k_1 − π²(1 − ν)))
-   read as: Unbalanced bracket as printed; read as 2(8 k_1 + π²(1 − ν + 2μ)) over the product.
-   stated: inverse(start)[3,2] == 2*(8*k1 + pi^2*(1 - nu + 2*mu))/((2*(k - 2) + pi*(1 + mu))*(4*k1 + pi^2*(1 - nu))) *)
+(* gbt-developable/sec-3.4.m0-r3.c2 (corrected) *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -468,9 +433,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m0_r3_c2_corrected.
 
 Module sec_3_4_m0_r3_true.
-(* gbt-developable/sec-3.4.m0-r3.true, Sect. 3.4, first matrix, row 3
-   printed: Q_2 from H(0), H'(0) and H''(0): the true third row of the first matrix.
-   stated: Q[2] == H(0) + 2*(8*k1 + pi^2*(1 - nu + 2*mu))/((2*(k - 2) + pi*(1 + mu))*(4*k1 + pi^2*(1 - nu)))*H'(0) + 1/(k1 + 1/4*pi^2*(1 - nu))*H''(0) *)
+(* gbt-developable/sec-3.4.m0-r3.true *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -495,10 +458,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m0_r3_true.
 
 Module sec_3_4_m0_r3_c3.
-(* gbt-developable/sec-3.4.m0-r3.c3, Sect. 3.4, first matrix, row 3, entry 3
-   printed: 1/(k_1 − 1/4 π² (1 − ν))
-   read as: The printed entry ends with one more ')' than it opens.
-   stated: inverse(start)[3,3] == 1/(k1 - 1/4*pi^2*(1 - nu)) *)
+(* gbt-developable/sec-3.4.m0-r3.c3 *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -513,10 +473,7 @@ forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m0_r3_c3.
 
 Module sec_3_4_m0_r3_c3_corrected.
-(* gbt-developable/sec-3.4.m0-r3.c3 (corrected), Sect. 3.4, first matrix, row 3, entry 3
-   printed: 1/(k_1 − 1/4 π² (1 − ν))
-   read as: The printed entry ends with one more ')' than it opens.
-   stated: inverse(start)[3,3] == 1/(k1 + 1/4*pi^2*(1 - nu)) *)
+(* gbt-developable/sec-3.4.m0-r3.c3 (corrected) *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -545,9 +502,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m0_r3_c3_corrected.
 
 Module sec_3_4_m1_r1.
-(* gbt-developable/sec-3.4.m1-r1, Sect. 3.4, second matrix, row 1
-   printed: Q_k = [1, 0, 0] . (H(1), H'(1), H''(1))
-   stated: Q[k] == 1*H(1) + 0*H'(1) + 0*H''(1) *)
+(* gbt-developable/sec-3.4.m1-r1 *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -564,9 +519,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m1_r1.
 
 Module sec_3_4_m1_r2.
-(* gbt-developable/sec-3.4.m1-r2, Sect. 3.4, second matrix, row 2
-   printed: Q_{k−1} = [1, −2/(2(k−2) + π(1+ν)), 0] . (H(1), H'(1), H''(1))
-   stated: Q[k-1] == 1*H(1) - 2/(2*(k - 2) + pi*(1 + nu))*H'(1) + 0*H''(1) *)
+(* gbt-developable/sec-3.4.m1-r2 *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -585,9 +538,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m1_r2.
 
 Module sec_3_4_m1_r3_c1.
-(* gbt-developable/sec-3.4.m1-r3.c1, Sect. 3.4, second matrix, row 3, entry 1
-   printed: 1
-   stated: inverse(end)[3,1] == 1 *)
+(* gbt-developable/sec-3.4.m1-r3.c1 *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -614,10 +565,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m1_r3_c1.
 
 Module sec_3_4_m1_r3_c2.
-(* gbt-developable/sec-3.4.m1-r3.c2, Sect. 3.4, second matrix, row 3, entry 2
-   printed: −2(8 k_2 + π²(1 − μ + 2ν) / ((2(k−2) + π(1+ν)) (4 k_2 − π²(1 − μ)))
-   read as: Unbalanced bracket as printed; read as −2(8 k_2 + π²(1 − μ + 2ν)) over the product.
-   stated: inverse(end)[3,2] == -2*(8*k2 + pi^2*(1 - mu + 2*nu))/((2*(k - 2) + pi*(1 + nu))*(4*k2 - pi^2*(1 - mu))) *)
+(* gbt-developable/sec-3.4.m1-r3.c2 *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -632,10 +580,7 @@ forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m1_r3_c2.
 
 Module sec_3_4_m1_r3_c2_corrected.
-(* gbt-developable/sec-3.4.m1-r3.c2 (corrected), Sect. 3.4, second matrix, row 3, entry 2
-   printed: −2(8 k_2 + π²(1 − μ + 2ν) / ((2(k−2) + π(1+ν)) (4 k_2 − π²(1 − μ)))
-   read as: Unbalanced bracket as printed; read as −2(8 k_2 + π²(1 − μ + 2ν)) over the product.
-   stated: inverse(end)[3,2] == -2*(8*k2 + pi^2*(1 - mu + 2*nu))/((2*(k - 2) + pi*(1 + nu))*(4*k2 + pi^2*(1 - mu))) *)
+(* gbt-developable/sec-3.4.m1-r3.c2 (corrected) *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -664,9 +609,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m1_r3_c2_corrected.
 
 Module sec_3_4_m1_r3_true.
-(* gbt-developable/sec-3.4.m1-r3.true, Sect. 3.4, second matrix, row 3
-   printed: Q_{k−2} from H(1), H'(1) and H''(1): the true third row of the second matrix.
-   stated: Q[k-2] == H(1) - 2*(8*k2 + pi^2*(1 - mu + 2*nu))/((2*(k - 2) + pi*(1 + nu))*(4*k2 + pi^2*(1 - mu)))*H'(1) + 1/(k2 + 1/4*pi^2*(1 - mu))*H''(1) *)
+(* gbt-developable/sec-3.4.m1-r3.true *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -691,10 +634,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m1_r3_true.
 
 Module sec_3_4_m1_r3_c3.
-(* gbt-developable/sec-3.4.m1-r3.c3, Sect. 3.4, second matrix, row 3, entry 3
-   printed: 1/(k_2 + 1/4 π² (1 − μ))
-   read as: The printed entry ends with one more ')' than it opens.
-   stated: inverse(end)[3,3] == 1/(k2 + 1/4*pi^2*(1 - mu)) *)
+(* gbt-developable/sec-3.4.m1-r3.c3 *)
 Definition statement : Prop :=
 forall (k : Z) (Q : Z -> R) (mu : R) (nu : R),
   (2 <= k)%Z ->
@@ -723,10 +663,7 @@ exists (k : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_3_4_m1_r3_c3.
 
 Module sec_3_4_S0.
-(* gbt-developable/sec-3.4.S0, Sect. 3.4, last paragraph
-   printed: the intersection of the control planes Q_0, Q_1, Q_2 is the characteristic point S(0) of the spine curve developable GBT-Bézier surfaces
-   read as: S(0) is the common point of the three planes (3.9) at x = 0.
-   stated: meet(T[0], T[1], T[2]) == meet(HT(0), HT'(0), HT''(0)) *)
+(* gbt-developable/sec-3.4.S0 *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -759,10 +696,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
 End sec_3_4_S0.
 
 Module sec_3_4_S0_gen.
-(* gbt-developable/sec-3.4.S0-gen, Sect. 3.4, last paragraph
-   printed: [S(0)] occurs on the starting generator V(x2, 0; μ, ν)
-   read as: The starting generator is the line of the planes H(0) and H'(0); H'(0) is divided by its factor k − 2 + π/2 (1 + μ), which has to differ from zero for the line to be there.
-   stated: dot(normal(HT(0)), S0) == HT(0)[4] and dot(normal(HT'(0)/kappa), S0) == HT'(0)[4]/kappa *)
+(* gbt-developable/sec-3.4.S0-gen *)
 Definition kappa (k : Z) (mu : R) : R :=
   IZR k - 2 + PI / 2 * (1 + mu).
 Definition S0 (T : Z -> list R) : list R :=
@@ -797,10 +731,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
 End sec_3_4_S0_gen.
 
 Module sec_3_4_S1.
-(* gbt-developable/sec-3.4.S1, Sect. 3.4, last paragraph
-   printed: the characteristic point S(1) of the spine curve ... can be achieved from the intersection of the control planes Q_{k−2}, Q_{k−1}, Q_k of expression (3.12)
-   read as: S(1) is the common point of the three planes (3.9) at x = 1.
-   stated: meet(T[k-2], T[k-1], T[k]) == meet(HT(1), HT'(1), HT''(1)) *)
+(* gbt-developable/sec-3.4.S1 *)
 Definition statement : Prop :=
 forall (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
   let T := fun i0 => [T'1 i0; T'2 i0; T'3 i0; T'4 i0] in
@@ -833,10 +764,7 @@ exists (k : Z) (T'1 T'2 T'3 T'4 : Z -> R) (mu : R) (nu : R),
 End sec_3_4_S1.
 
 Module sec_3_4_S1_gen.
-(* gbt-developable/sec-3.4.S1-gen, Sect. 3.4, last paragraph
-   printed: [S(1)] lies on ending generator V(x2, 1; μ, ν)
-   read as: The ending generator is the line of the planes H(1) and H'(1); H'(1) is divided by its factor k − 2 + π/2 (1 + ν), which has to differ from zero for the line to be there.
-   stated: dot(normal(HT(1)), S1) == HT(1)[4] and dot(normal(HT'(1)/kappa), S1) == HT'(1)[4]/kappa *)
+(* gbt-developable/sec-3.4.S1-gen *)
 Definition kappa (k : Z) (nu : R) : R :=
   IZR k - 2 + PI / 2 * (1 + nu).
 Definition S1 (T : Z -> list R) (k : Z) : list R :=

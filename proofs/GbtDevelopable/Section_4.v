@@ -19,10 +19,7 @@ End Definitions.
 Import Definitions.
 
 Module sec_4_midpoints.
-(* gbt-developable/sec-4.midpoints, Sect. 4, first paragraph, last sentence
-   printed: In all designing examples of enveloping developable GBT-Bézier surfaces, we assume that the midpoints of all planes of the enveloping developable GBT-Bézier surfaces lie in the same plane and have the same distance from the origin.
-   read as: 'midpoint' of a plane read as its nearest point to the origin, s t/|t|²; 'all planes' as the control planes, as Example 4.1 says of the same assumption ('the midpoints of the four control planes'); 'all designing examples of enveloping developable GBT-Bézier surfaces' is the heading of Sect. 4.1, with Examples 4.1 and 4.2.
-   stated: distance2(E1_0) == distance2(E1_1) == distance2(E1_2) == distance2(E1_3) and volume(E1_0, E1_1, E1_2, E1_3) == 0 and distance2(E2_0) == distance2(E2_1) == distance2(E2_2) == distance2(E2_3) and volume(E2_0, E2_1, E2_2, E2_3) == 0 *)
+(* gbt-developable/sec-4.midpoints *)
 Definition E1_0 : list R :=
   [0; - 20; 10; 400].
 Definition E1_1 : list R :=
@@ -49,9 +46,7 @@ Definition instance : Prop :=
 End sec_4_midpoints.
 
 Module ex_4_2_distance.
-(* gbt-developable/ex-4.2.distance, Sect. 4 (rule for all enveloping examples) applied to Example 4.2
-   printed: midpoints of all planes ... have the same distance from the origin
-   stated: distance2(E2_0) == distance2(E2_1) == distance2(E2_2) == distance2(E2_3) *)
+(* gbt-developable/ex-4.2.distance *)
 Definition statement : Prop :=
   dot (normal E2_0) (normal E2_0) <> 0 ->
   dot (normal E2_1) (normal E2_1) <> 0 ->
@@ -62,9 +57,7 @@ Definition instance : Prop :=
 End ex_4_2_distance.
 
 Module ex_4_2_coplanar.
-(* gbt-developable/ex-4.2.coplanar, Sect. 4 (rule for all enveloping examples) applied to Example 4.2
-   printed: midpoints of all planes ... lie in the same plane
-   stated: volume(E2_0, E2_1, E2_2, E2_3) == 0 *)
+(* gbt-developable/ex-4.2.coplanar *)
 Definition statement : Prop :=
   dot (normal E2_1) (normal E2_1) <> 0 ->
   dot (normal E2_0) (normal E2_0) <> 0 ->

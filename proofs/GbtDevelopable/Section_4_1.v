@@ -51,10 +51,7 @@ End Definitions.
 Import Definitions.
 
 Module ex_4_1_Q0.
-(* gbt-developable/ex-4.1.Q0, Sect. 4.1, Example 4.1, control planes
-   printed: Q_0 = (0, −20, 10, 400)
-   read as: Compared with the plane that the statements on Example 4.1 use, which is the family at x = 0.
-   stated: E1(0) == [0, -20, 10, 400] and E1_0 == E1(0) *)
+(* gbt-developable/ex-4.1.Q0 *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -67,10 +64,7 @@ exists (mu : R) (nu : R),
 End ex_4_1_Q0.
 
 Module ex_4_1_Q1.
-(* gbt-developable/ex-4.1.Q1, Sect. 4.1, Example 4.1, control planes
-   printed: Q_1 = (0, −10, 20, 400)
-   read as: Compared with the plane that the statements on Example 4.1 use, and with what the text says of it: its midpoint is as far from the origin as that of Q_0.
-   stated: E1_1 == [0, -10, 20, 400] and distance2([0, -10, 20, 400]) == distance2(E1(0)) *)
+(* gbt-developable/ex-4.1.Q1 *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -87,10 +81,7 @@ exists (mu : R) (nu : R),
 End ex_4_1_Q1.
 
 Module ex_4_1_Q2.
-(* gbt-developable/ex-4.1.Q2, Sect. 4.1, Example 4.1, control planes
-   printed: Q_2 = (0, 10, 20, 400)
-   read as: Compared with the plane that the statements on Example 4.1 use, and with what the text says of it: its midpoint is as far from the origin as that of Q_0.
-   stated: E1_2 == [0, 10, 20, 400] and distance2([0, 10, 20, 400]) == distance2(E1(0)) *)
+(* gbt-developable/ex-4.1.Q2 *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -107,10 +98,7 @@ exists (mu : R) (nu : R),
 End ex_4_1_Q2.
 
 Module ex_4_1_Q3.
-(* gbt-developable/ex-4.1.Q3, Sect. 4.1, Example 4.1, control planes
-   printed: Q_3 = (0, 20, 10, 400)
-   read as: Compared with the plane that the statements on Example 4.1 use, which is the family at x = 1, and with what the text says of it: its midpoint is as far from the origin as that of Q_0.
-   stated: E1(1) == [0, 20, 10, 400] and distance2([0, 20, 10, 400]) == distance2(E1(0)) *)
+(* gbt-developable/ex-4.1.Q3 *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -127,9 +115,7 @@ exists (mu : R) (nu : R),
 End ex_4_1_Q3.
 
 Module ex_4_1_distance.
-(* gbt-developable/ex-4.1.distance, Sect. 4.1, Example 4.1
-   printed: the midpoints of the four control planes of a cubic enveloping developable GBT-Bézier surface have the same distance from the origin
-   stated: distance2(E1_0) == distance2(E1_1) == distance2(E1_2) == distance2(E1_3) *)
+(* gbt-developable/ex-4.1.distance *)
 Definition statement : Prop :=
   dot (normal E1_0) (normal E1_0) <> 0 ->
   dot (normal E1_1) (normal E1_1) <> 0 ->
@@ -144,9 +130,7 @@ Definition instance : Prop :=
 End ex_4_1_distance.
 
 Module ex_4_1_coplanar.
-(* gbt-developable/ex-4.1.coplanar, Sect. 4.1, Example 4.1
-   printed: [the midpoints] are laid in the same plane
-   stated: volume(E1_0, E1_1, E1_2, E1_3) == 0 *)
+(* gbt-developable/ex-4.1.coplanar *)
 Definition midpoint (P : list R) : list R :=
   vscale (entry P 4 / dot (normal P) (normal P)) (normal P).
 Definition volume (A : list R) (B : list R) (C_ : list R) (D_ : list R) : R :=
@@ -165,10 +149,7 @@ Definition instance : Prop :=
 End ex_4_1_coplanar.
 
 Module ex_4_1_c1_a.
-(* gbt-developable/ex-4.1.c1.a, Sect. 4.1, Example 4.1, conclusion 1
-   printed: Whenever the values of μ stay unchanged, the location of the starting generator J(0; μ, ν) ... will not modify with modifying the value of ν
-   read as: 'location' is the line itself: its point nearest to the origin and its direction.
-   stated: D(foot(E1(0), E1'(0)), nu) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), nu)) == 0 *)
+(* gbt-developable/ex-4.1.c1.a *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -183,9 +164,7 @@ exists (mu : R) (nu : R),
 End ex_4_1_c1_a.
 
 Module ex_4_1_lengths.
-(* gbt-developable/ex-4.1.lengths, Sect. 4.1, Example 4.1
-   printed: Example 4.1: the lengths of both end generators.
-   stated: length2(E1(0), E1'(0)) == (150*(2 + pi*(1 + mu)))^2 and length2(E1(1), E1'(1)) == (150*(2 + pi*(1 + nu)))^2 *)
+(* gbt-developable/ex-4.1.lengths *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -198,9 +177,7 @@ exists (mu : R) (nu : R),
 End ex_4_1_lengths.
 
 Module ex_4_1_lengths_exchanged.
-(* gbt-developable/ex-4.1.lengths.exchanged, Sect. 4.1, Example 4.1
-   printed: Example 4.1: conclusions 1 and 2 are true with starting and ending generator exchanged.
-   stated: D(length2(E1(0), E1'(0)), nu) == 0 and D(length2(E1(1), E1'(1)), nu) > 0 and D(length2(E1(1), E1'(1)), mu) == 0 and D(length2(E1(0), E1'(0)), mu) > 0 *)
+(* gbt-developable/ex-4.1.lengths.exchanged *)
 Definition E1__ (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1___ (nu : R) (mu : R) (x : R) : list R :=
@@ -217,9 +194,7 @@ exists (mu : R) (nu : R),
 End ex_4_1_lengths_exchanged.
 
 Module ex_4_1_c1_b.
-(* gbt-developable/ex-4.1.c1.b, Sect. 4.1, Example 4.1, conclusion 1
-   printed: [with μ unchanged,] the ... location of the ending generator J(1; μ, ν) will not modify with modifying the value of ν
-   stated: D(foot(E1(1), E1'(1)), nu) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), nu)) == 0 *)
+(* gbt-developable/ex-4.1.c1.b *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -234,10 +209,7 @@ exists (mu : R) (nu : R),
 End ex_4_1_c1_b.
 
 Module ex_4_1_c1_c.
-(* gbt-developable/ex-4.1.c1.c, Sect. 4.1, Example 4.1, conclusion 1
-   printed: [with μ unchanged,] the length ... of the ending generator J(1; μ, ν) will not modify with modifying the value of ν
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: D(length2(E1(1), E1'(1)), nu) == 0 *)
+(* gbt-developable/ex-4.1.c1.c *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -246,10 +218,7 @@ forall (mu : R) (nu : R),
 End ex_4_1_c1_c.
 
 Module ex_4_1_c1_d.
-(* gbt-developable/ex-4.1.c1.d, Sect. 4.1, Example 4.1, conclusion 1
-   printed: however the length of the starting generator J(0; μ, ν) will modify
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length. With μ unchanged and ν changed, as the sentence before says.
-   stated: fails(D(length2(E1(0), E1'(0)), nu) == 0) *)
+(* gbt-developable/ex-4.1.c1.d *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -261,10 +230,7 @@ forall (mu : R) (nu : R),
 End ex_4_1_c1_d.
 
 Module ex_4_1_c1_e.
-(* gbt-developable/ex-4.1.c1.e, Sect. 4.1, Example 4.1, conclusion 1
-   printed: increasing the value of ν will bring an increase in the length of the starting generator
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: D(length2(E1(0), E1'(0)), nu) > 0 *)
+(* gbt-developable/ex-4.1.c1.e *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -273,10 +239,7 @@ forall (mu : R) (nu : R),
 End ex_4_1_c1_e.
 
 Module ex_4_1_c1_f_there_and_nowhere_else.
-(* gbt-developable/ex-4.1.c1.f.there and nowhere else, Sect. 4.1, Example 4.1, conclusion 1
-   printed: Particularly at ν = 1, the length of J(0; μ, ν) becomes maximum, see Fig. 6.
-   read as: For every other ν the length is smaller, as an increase with ν would make it.
-   stated: at(len, nu, n) < at(len, nu, 1) *)
+(* gbt-developable/ex-4.1.c1.f.there and nowhere else *)
 Definition E1__ (mu : R) (nu : Z) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu (IZR nu) 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu (IZR nu) 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu (IZR nu) 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu (IZR nu) 3%Z 3%Z) E1_3).
 Definition E1___ (mu : R) (nu : Z) (x : R) : list R :=
@@ -291,10 +254,7 @@ forall (mu : R) (n : R),
 End ex_4_1_c1_f_there_and_nowhere_else.
 
 Module ex_4_1_c1_f_there_at_least.
-(* gbt-developable/ex-4.1.c1.f.there at least, Sect. 4.1, Example 4.1, conclusion 1
-   printed: Particularly at ν = 1, the length of J(0; μ, ν) becomes maximum, see Fig. 6.
-   read as: For no other ν is the length greater.
-   stated: at(len, nu, n) <= at(len, nu, 1) *)
+(* gbt-developable/ex-4.1.c1.f.there at least *)
 Definition E1__ (mu : R) (nu : Z) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu (IZR nu) 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu (IZR nu) 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu (IZR nu) 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu (IZR nu) 3%Z 3%Z) E1_3).
 Definition E1___ (mu : R) (nu : Z) (x : R) : list R :=
@@ -313,9 +273,7 @@ exists (mu : R) (n : R),
 End ex_4_1_c1_f_there_at_least.
 
 Module ex_4_1_c2_a.
-(* gbt-developable/ex-4.1.c2.a, Sect. 4.1, Example 4.1, conclusion 2
-   printed: For fixed values of ν, the location of J(0; μ, ν) ... will not fluctuate with fluctuating values of μ
-   stated: D(foot(E1(0), E1'(0)), mu) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), mu)) == 0 *)
+(* gbt-developable/ex-4.1.c2.a *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -334,9 +292,7 @@ exists (mu : R) (nu : R),
 End ex_4_1_c2_a.
 
 Module ex_4_1_c2_b.
-(* gbt-developable/ex-4.1.c2.b, Sect. 4.1, Example 4.1, conclusion 2
-   printed: For fixed values of ν, the location of ... J(1; μ, ν) will not fluctuate with fluctuating values of μ
-   stated: D(foot(E1(1), E1'(1)), mu) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), mu)) == 0 *)
+(* gbt-developable/ex-4.1.c2.b *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -355,10 +311,7 @@ exists (mu : R) (nu : R),
 End ex_4_1_c2_b.
 
 Module ex_4_1_c2_c.
-(* gbt-developable/ex-4.1.c2.c, Sect. 4.1, Example 4.1, conclusion 2
-   printed: but the lengths of ending generators J(1; μ, ν) will modify
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length. With ν fixed and μ changed, as the sentence before says.
-   stated: fails(D(length2(E1(1), E1'(1)), mu) == 0) *)
+(* gbt-developable/ex-4.1.c2.c *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -374,10 +327,7 @@ forall (mu : R) (nu : R),
 End ex_4_1_c2_c.
 
 Module ex_4_1_c2_d.
-(* gbt-developable/ex-4.1.c2.d, Sect. 4.1, Example 4.1, conclusion 2
-   printed: the length of generators J(1; μ, ν) increases with increasing value of μ
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: D(length2(E1(1), E1'(1)), mu) > 0 *)
+(* gbt-developable/ex-4.1.c2.d *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -390,10 +340,7 @@ forall (mu : R) (nu : R),
 End ex_4_1_c2_d.
 
 Module ex_4_1_c2_e_there_and_nowhere_else.
-(* gbt-developable/ex-4.1.c2.e.there and nowhere else, Sect. 4.1, Example 4.1, conclusion 2
-   printed: and will be maximum at μ = 1, see Fig. 7
-   read as: For every other μ the length is smaller, as an increase with μ would make it.
-   stated: at(len, mu, n) < at(len, mu, 1) *)
+(* gbt-developable/ex-4.1.c2.e.there and nowhere else *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -414,10 +361,7 @@ forall (n : R) (nu : R),
 End ex_4_1_c2_e_there_and_nowhere_else.
 
 Module ex_4_1_c2_e_there_at_least.
-(* gbt-developable/ex-4.1.c2.e.there at least, Sect. 4.1, Example 4.1, conclusion 2
-   printed: and will be maximum at μ = 1, see Fig. 7
-   read as: For no other μ is the length greater.
-   stated: at(len, mu, n) <= at(len, mu, 1) *)
+(* gbt-developable/ex-4.1.c2.e.there at least *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -442,10 +386,7 @@ exists (n : R) (nu : R),
 End ex_4_1_c2_e_there_at_least.
 
 Module ex_4_1_c3_a.
-(* gbt-developable/ex-4.1.c3.a, Sect. 4.1, Example 4.1, conclusion 3
-   printed: For identical values of μ, ν, the ... location of both starting J(0; μ, ν) and ending J(1; μ, ν) generators will modify with modifying values of μ, ν.
-   read as: 'location' is the line itself. Refuted is already that one of the two lines moves for some change of μ and ν.
-   stated: fails(D(foot(E1(0), E1'(0)), mu) == 0 and D(foot(E1(0), E1'(0)), nu) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), mu)) == 0 and cross(direction(E1(0), E1'(0)), D(direction(E1(0), E1'(0)), nu)) == 0 and D(foot(E1(1), E1'(1)), mu) == 0 and D(foot(E1(1), E1'(1)), nu) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), mu)) == 0 and cross(direction(E1(1), E1'(1)), D(direction(E1(1), E1'(1)), nu)) == 0) *)
+(* gbt-developable/ex-4.1.c3.a *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -465,10 +406,7 @@ forall (mu : R) (nu : R),
 End ex_4_1_c3_a.
 
 Module ex_4_1_c3_b.
-(* gbt-developable/ex-4.1.c3.b, Sect. 4.1, Example 4.1, conclusion 3
-   printed: For identical values of μ, ν, the length ... of both starting J(0; μ, ν) and ending J(1; μ, ν) generators will modify
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: fails(D(at(length2(E1(0), E1'(0)), mu, nu), nu) == 0) and fails(D(at(length2(E1(1), E1'(1)), mu, nu), nu) == 0) *)
+(* gbt-developable/ex-4.1.c3.b *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -487,10 +425,7 @@ exists (nu : R),
 End ex_4_1_c3_b.
 
 Module ex_4_1_c3_c.
-(* gbt-developable/ex-4.1.c3.c, Sect. 4.1, Example 4.1, conclusion 3
-   printed: With increasing values of μ, ν, the length of both generators increases.
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length. Both parameters altered together: mu = nu.
-   stated: D(at(length2(E1(0), E1'(0)), mu, nu), nu) > 0 and D(at(length2(E1(1), E1'(1)), mu, nu), nu) > 0 *)
+(* gbt-developable/ex-4.1.c3.c *)
 Definition E1 (nu : R) (mu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : R) : list R :=
@@ -505,10 +440,7 @@ exists (nu : R),
 End ex_4_1_c3_c.
 
 Module ex_4_1_c3_d.
-(* gbt-developable/ex-4.1.c3.d, Sect. 4.1, Example 4.1, conclusion 3
-   printed: the structure of the enveloping developable surface will also modify as the height enveloping developable GBT-Bézier surface increases with decreasing values of μ, ν, see Fig. 8
-   read as: 'height' read as the Z extent of the surface, which for these planes is the Z extent of the profile ψ(x): from its ends to its top at x = 1/2, see the remark. The derivative is that along mu = nu.
-   stated: D(height, nu) < 0 and D(other, nu) < 0 *)
+(* gbt-developable/ex-4.1.c3.d *)
 Definition E1 (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
 Definition E1_ (nu : R) (mu : R) (x : Z) : list R :=
@@ -535,9 +467,7 @@ exists (nu : R),
 End ex_4_1_c3_d.
 
 Module ex_4_1_c3_d_top.
-(* gbt-developable/ex-4.1.c3.d.top, Sect. 4.1, Example 4.1, conclusion 3
-   printed: Example 4.1: for μ = ν the profile has its top at x = 1/2.
-   stated: z == 400*D(q, x)/(D(q, x)*r - q*D(r, x)) and D(400*D(q, x)/(D(q, x)*r - q*D(r, x)), x) == 400*q*(D(q, x)*D(r, x, 2) - D(q, x, 2)*D(r, x))/(D(q, x)*r - q*D(r, x))^2 and D(q, x)*D(r, x, 2) - D(q, x, 2)*D(r, x) <= 0 and D(q, x) >= 0 and at(q, x, 1/2) == 0 and D(q, x)*r - q*D(r, x) > 0 *)
+(* gbt-developable/ex-4.1.c3.d.top *)
 Definition E1 (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E1_0) (vscale (g x mu nu 1%Z 3%Z) E1_1)) (vscale (g x mu nu 2%Z 3%Z) E1_2)) (vscale (g x mu nu 3%Z 3%Z) E1_3).
 Definition q (nu : R) (x : R) : R :=
@@ -566,10 +496,7 @@ exists (nu : R) (x : R),
 End ex_4_1_c3_d_top.
 
 Module ex_4_2_Q0.
-(* gbt-developable/ex-4.2.Q0, Sect. 4.1, Example 4.2, control planes
-   printed: Q_0 = (5√2, −5√2, 5, 125)
-   read as: Compared with the plane that the statements on Example 4.2 use, which is the family at x = 0.
-   stated: E2(0) == [5*sqrt(2), -5*sqrt(2), 5, 125] and E2_0 == E2(0) *)
+(* gbt-developable/ex-4.2.Q0 *)
 Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
 Definition statement : Prop :=
@@ -584,10 +511,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_Q0.
 
 Module ex_4_2_Q1.
-(* gbt-developable/ex-4.2.Q1, Sect. 4.1, Example 4.2, control planes
-   printed: Q_1 = (−5√2, −5√2, 5, 125)
-   read as: Compared with the plane that the statements on Example 4.2 use, and with the rule of Sect. 4: its midpoint is as far from the origin as that of Q_0.
-   stated: E2_1 == [-5*sqrt(2), -5*sqrt(2), 5, 125] and distance2([-5*sqrt(2), -5*sqrt(2), 5, 125]) == distance2(E2(0)) *)
+(* gbt-developable/ex-4.2.Q1 *)
 Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
 Definition statement : Prop :=
@@ -606,10 +530,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_Q1.
 
 Module ex_4_2_Q2.
-(* gbt-developable/ex-4.2.Q2, Sect. 4.1, Example 4.2, control planes
-   printed: Q_2 = (−5√2, −5√2, 5, 125)
-   read as: Compared with the plane that the statements on Example 4.2 use, and with the rule of Sect. 4: its midpoint is as far from the origin as that of Q_0.
-   stated: E2_2 == [-5*sqrt(2), -5*sqrt(2), 5, 125] and distance2([-5*sqrt(2), -5*sqrt(2), 5, 125]) == distance2(E2(0)) *)
+(* gbt-developable/ex-4.2.Q2 *)
 Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
 Definition statement : Prop :=
@@ -628,10 +549,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_Q2.
 
 Module ex_4_2_Q3.
-(* gbt-developable/ex-4.2.Q3, Sect. 4.1, Example 4.2, control planes
-   printed: Q_3 = (5√2, −5√2, 5, 125)
-   read as: Compared with the plane that the statements on Example 4.2 use, which is the family at x = 1, and with the rule of Sect. 4: its midpoint is as far from the origin as that of Q_0.
-   stated: E2(1) == [5*sqrt(2), -5*sqrt(2), 5, 125] and distance2([5*sqrt(2), -5*sqrt(2), 5, 125]) == distance2(E2(0)) *)
+(* gbt-developable/ex-4.2.Q3 *)
 Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
 Definition statement : Prop :=
@@ -650,10 +568,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_Q3.
 
 Module ex_4_2_class.
-(* gbt-developable/ex-4.2.class, Sect. 4.1, Example 4.2, paragraph after the planes
-   printed: with fluctuating values of shape parameters μ, ν, a class of enveloping developable GBT-Bézier surfaces can be designed on the requirement of provided control planes
-   read as: (3.7) is a surface at some point at least: for some shape parameters, some x and some x1 its two tangent vectors are not parallel.
-   stated: fails(cross(direction(E2(x), E2'(x)), J'(x)) == 0) *)
+(* gbt-developable/ex-4.2.class *)
 Definition E2 (mu : R) (nu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
 Definition J (mu : R) (nu : R) (x1 : R) (x : R) : list R :=
@@ -672,9 +587,7 @@ forall (mu : R) (nu : R) (x : R) (x1 : R),
 End ex_4_2_class.
 
 Module ex_4_2_pencil.
-(* gbt-developable/ex-4.2.pencil, Sect. 4.1, Example 4.2
-   printed: Example 4.2: all planes contain one line.
-   stated: dot(normal(E2(x)), [0, y, 25 + sqrt(2)*y]) == E2(x)[4] *)
+(* gbt-developable/ex-4.2.pencil *)
 Definition E2 (mu : R) (nu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
 Definition statement : Prop :=
@@ -691,9 +604,7 @@ exists (mu : R) (nu : R) (x : R) (y : R),
 End ex_4_2_pencil.
 
 Module ex_4_2_lengths.
-(* gbt-developable/ex-4.2.lengths, Sect. 4.1, Example 4.2
-   printed: Example 4.2: the lengths of both end generators.
-   stated: length2(E2(0), E2'(0)) == 3750*(2 + pi*(1 + mu))^2 and length2(E2(1), E2'(1)) == 3750*(2 + pi*(1 + nu))^2 *)
+(* gbt-developable/ex-4.2.lengths *)
 Definition E2 (mu : R) (nu : R) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu nu 0%Z 3%Z) E2_0) (vscale (g (IZR x) mu nu 1%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 2%Z 3%Z) E2_1)) (vscale (g (IZR x) mu nu 3%Z 3%Z) E2_0).
 Definition E2_ (mu : R) (nu : R) (x : R) : list R :=
@@ -710,10 +621,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_lengths.
 
 Module ex_4_2_c1_a.
-(* gbt-developable/ex-4.2.c1.a, Sect. 4.1, Example 4.2, conclusion 1
-   printed: When we fix the value of ν, the length of generator J(1; μ, ν) will modify ... with fluctuating values of μ
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: fails(D(length2(E2(1), E2'(1)), mu) == 0) *)
+(* gbt-developable/ex-4.2.c1.a *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -725,9 +633,7 @@ forall (mu : R) (nu : R),
 End ex_4_2_c1_a.
 
 Module ex_4_2_c1_b.
-(* gbt-developable/ex-4.2.c1.b, Sect. 4.1, Example 4.2, conclusion 1
-   printed: [ν fixed] the location of generator J(1; μ, ν) ... will not modify with fluctuating values of μ
-   stated: D(foot(E2(1), E2'(1)), mu) == 0 and cross(direction(E2(1), E2'(1)), D(direction(E2(1), E2'(1)), mu)) == 0 *)
+(* gbt-developable/ex-4.2.c1.b *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -742,9 +648,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_c1_b.
 
 Module ex_4_2_c1_c.
-(* gbt-developable/ex-4.2.c1.c, Sect. 4.1, Example 4.2, conclusion 1
-   printed: [ν fixed] the ... location of generator J(0; μ, ν) will not modify with fluctuating values of μ
-   stated: D(foot(E2(0), E2'(0)), mu) == 0 and cross(direction(E2(0), E2'(0)), D(direction(E2(0), E2'(0)), mu)) == 0 *)
+(* gbt-developable/ex-4.2.c1.c *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -759,10 +663,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_c1_c.
 
 Module ex_4_2_c1_d.
-(* gbt-developable/ex-4.2.c1.d, Sect. 4.1, Example 4.2, conclusion 1
-   printed: [ν fixed] the length ... of generator J(0; μ, ν) will not modify with fluctuating values of μ
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: D(length2(E2(0), E2'(0)), mu) == 0 *)
+(* gbt-developable/ex-4.2.c1.d *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -771,10 +672,7 @@ forall (mu : R) (nu : R),
 End ex_4_2_c1_d.
 
 Module ex_4_2_c1_e.
-(* gbt-developable/ex-4.2.c1.e, Sect. 4.1, Example 4.2, conclusion 1
-   printed: the length of the ending generator will increase simultaneously with an increase in the value of μ, see Figs. 9–10
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: D(length2(E2(1), E2'(1)), mu) > 0 *)
+(* gbt-developable/ex-4.2.c1.e *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -783,10 +681,7 @@ forall (mu : R) (nu : R),
 End ex_4_2_c1_e.
 
 Module ex_4_2_c2_a.
-(* gbt-developable/ex-4.2.c2.a, Sect. 4.1, Example 4.2, conclusion 2
-   printed: When we take positive values of μ, ν, the length ... of J(0; μ, ν) ... will not alter with the altering values of μ, ν
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: D(length2(E2(0), E2'(0)), mu) == 0 and D(length2(E2(0), E2'(0)), nu) == 0 *)
+(* gbt-developable/ex-4.2.c2.a *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   0 < mu <= 1 ->
@@ -795,9 +690,7 @@ forall (mu : R) (nu : R),
 End ex_4_2_c2_a.
 
 Module ex_4_2_c2_b.
-(* gbt-developable/ex-4.2.c2.b, Sect. 4.1, Example 4.2, conclusion 2
-   printed: [positive μ, ν] the ... location of J(0; μ, ν) ... will not alter
-   stated: D(foot(E2(0), E2'(0)), mu) == 0 and D(foot(E2(0), E2'(0)), nu) == 0 and cross(direction(E2(0), E2'(0)), D(direction(E2(0), E2'(0)), mu)) == 0 and cross(direction(E2(0), E2'(0)), D(direction(E2(0), E2'(0)), nu)) == 0 *)
+(* gbt-developable/ex-4.2.c2.b *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   0 < mu <= 1 ->
@@ -814,9 +707,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_c2_b.
 
 Module ex_4_2_c2_c.
-(* gbt-developable/ex-4.2.c2.c, Sect. 4.1, Example 4.2, conclusion 2
-   printed: [positive μ, ν] ... location of J(1; μ, ν) will not alter
-   stated: D(foot(E2(1), E2'(1)), mu) == 0 and D(foot(E2(1), E2'(1)), nu) == 0 and cross(direction(E2(1), E2'(1)), D(direction(E2(1), E2'(1)), mu)) == 0 and cross(direction(E2(1), E2'(1)), D(direction(E2(1), E2'(1)), nu)) == 0 *)
+(* gbt-developable/ex-4.2.c2.c *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   0 < mu <= 1 ->
@@ -833,10 +724,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_c2_c.
 
 Module ex_4_2_c2_d.
-(* gbt-developable/ex-4.2.c2.d, Sect. 4.1, Example 4.2, conclusion 2
-   printed: but the length of the ending generator J(1; μ, ν) will modify, see Fig. 11
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length.
-   stated: fails(D(length2(E2(1), E2'(1)), mu) == 0 and D(length2(E2(1), E2'(1)), nu) == 0) *)
+(* gbt-developable/ex-4.2.c2.d *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   0 < mu <= 1 ->
@@ -852,9 +740,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_c2_d.
 
 Module ex_4_2_c3_a.
-(* gbt-developable/ex-4.2.c3.a, Sect. 4.1, Example 4.2, conclusion 3
-   printed: When we take negative values of μ, ν, the location of J(0; μ, ν) ... will not fluctuate
-   stated: D(foot(E2(0), E2'(0)), mu) == 0 and D(foot(E2(0), E2'(0)), nu) == 0 and cross(direction(E2(0), E2'(0)), D(direction(E2(0), E2'(0)), mu)) == 0 and cross(direction(E2(0), E2'(0)), D(direction(E2(0), E2'(0)), nu)) == 0 *)
+(* gbt-developable/ex-4.2.c3.a *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu < 0 ->
@@ -871,9 +757,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_c3_a.
 
 Module ex_4_2_c3_b.
-(* gbt-developable/ex-4.2.c3.b, Sect. 4.1, Example 4.2, conclusion 3
-   printed: When we take negative values of μ, ν, the location of ... J(1; μ, ν) will not fluctuate
-   stated: D(foot(E2(1), E2'(1)), mu) == 0 and D(foot(E2(1), E2'(1)), nu) == 0 and cross(direction(E2(1), E2'(1)), D(direction(E2(1), E2'(1)), mu)) == 0 and cross(direction(E2(1), E2'(1)), D(direction(E2(1), E2'(1)), nu)) == 0 *)
+(* gbt-developable/ex-4.2.c3.b *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu < 0 ->
@@ -890,10 +774,7 @@ exists (mu : R) (nu : R),
 End ex_4_2_c3_b.
 
 Module ex_4_2_c3_c.
-(* gbt-developable/ex-4.2.c3.c, Sect. 4.1, Example 4.2, conclusion 3
-   printed: however, the length of the ending and starting generator will modify
-   read as: The length of a generator is |φ| times the length of one fixed interval of x1 in (3.7): the paper gives no range for x1, and a line has no length. Both parameters altered together.
-   stated: fails(D(at(length2(E2(1), E2'(1)), mu, nu), nu) == 0) and fails(D(at(length2(E2(0), E2'(0)), mu, nu), nu) == 0) *)
+(* gbt-developable/ex-4.2.c3.c *)
 Definition statement : Prop :=
 forall (nu : R),
   (-1) <= nu < 0 ->
@@ -908,10 +789,7 @@ exists (nu : R),
 End ex_4_2_c3_c.
 
 Module ex_4_2_c3_d.
-(* gbt-developable/ex-4.2.c3.d, Sect. 4.1, Example 4.2, conclusion 3
-   printed: ... will modify along with the shape of the enveloping developable GBT-Bézier surface, see Fig. 12
-   read as: The shape is the set of the generators; refuted is already that one of them moves when μ = ν changes.
-   stated: fails(D(line(x), nu) == 0 and cross(along(x), D(along(x), nu)) == 0) *)
+(* gbt-developable/ex-4.2.c3.d *)
 Definition E2 (nu : R) (mu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E2_0) (vscale (g x mu nu 1%Z 3%Z) E2_1)) (vscale (g x mu nu 2%Z 3%Z) E2_1)) (vscale (g x mu nu 3%Z 3%Z) E2_0).
 Definition line (nu : R) (x : R) : list R :=

@@ -25,10 +25,7 @@ End Definitions.
 Import Definitions.
 
 Module sec_4_2_Q0.
-(* gbt-developable/sec-4.2.Q0, Sect. 4.2, control planes
-   printed: Q_0 = (6.5, 6.5, 6.5√2, 169)
-   read as: Compared with the plane that the statements of Sect. 4.2 use, which is the family at x = 0, and with what the text says of it: its central point is in quadrant I.
-   stated: E3(0) == [6.5, 6.5, 6.5*sqrt(2), 169] and midpoint(E3(0))[1] > 0 and midpoint(E3(0))[2] > 0 *)
+(* gbt-developable/sec-4.2.Q0 *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -43,10 +40,7 @@ exists (mu : R) (nu : R),
 End sec_4_2_Q0.
 
 Module sec_4_2_Q1.
-(* gbt-developable/sec-4.2.Q1, Sect. 4.2, control planes
-   printed: Q_1 = (−5.5, 7.5, 7.5√2, 225)
-   read as: Compared with the plane that the statements of Sect. 4.2 use, and with what the text says of it: its central point is in quadrant II, and farther from the origin than that of Q_0.
-   stated: E3_1 == [-5.5, 7.5, 7.5*sqrt(2), 225] and midpoint([-5.5, 7.5, 7.5*sqrt(2), 225])[1] < 0 and midpoint([-5.5, 7.5, 7.5*sqrt(2), 225])[2] > 0 and distance2([-5.5, 7.5, 7.5*sqrt(2), 225]) > distance2(E3(0)) *)
+(* gbt-developable/sec-4.2.Q1 *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -63,18 +57,13 @@ exists (mu : R) (nu : R),
 End sec_4_2_Q1.
 
 Module sec_4_2_Q1_lengths.
-(* gbt-developable/sec-4.2.Q1.lengths, Sect. 4.2, control planes
-   printed: The squares of the lengths of the four normals of Sect. 4.2.
-   stated: dot(normal(E3_0), normal(E3_0)) == E3_0[4] and dot(normal(E3_1), normal(E3_1)) == 199 and (-7.5)^2 + E3_1[2]^2 + E3_1[3]^2 == E3_1[4] and dot(normal(E3_2), normal(E3_2)) == E3_2[4] and dot(normal(E3_3), normal(E3_3)) == E3_3[4] *)
+(* gbt-developable/sec-4.2.Q1.lengths *)
 Definition statement : Prop :=
   dot (normal E3_0) (normal E3_0) = entry E3_0 4 /\ dot (normal E3_1) (normal E3_1) = 199 /\ (- (15 / 2)) ^ 2 + entry E3_1 2 ^ 2 + entry E3_1 3 ^ 2 = entry E3_1 4 /\ dot (normal E3_2) (normal E3_2) = entry E3_2 4 /\ dot (normal E3_3) (normal E3_3) = entry E3_3 4.
 End sec_4_2_Q1_lengths.
 
 Module sec_4_2_Q2.
-(* gbt-developable/sec-4.2.Q2, Sect. 4.2, control planes
-   printed: Q_2 = (−10, −10, 10√2400)
-   read as: Our copy prints '10 √ 2400' without a comma, so three entries; read as (−10, −10, 10√2, 400), four entries as in the other rows. Compared with the plane that the statements of Sect. 4.2 use, and with what the text says of it: its central point is in quadrant III.
-   stated: E3_2 == [-10, -10, 10*sqrt(2), 400] and midpoint([-10, -10, 10*sqrt(2), 400])[1] < 0 and midpoint([-10, -10, 10*sqrt(2), 400])[2] < 0 *)
+(* gbt-developable/sec-4.2.Q2 *)
 Definition statement : Prop :=
   dot (normal [- 10; - 10; 10 * sqrt 2; 400]) (normal [- 10; - 10; 10 * sqrt 2; 400]) <> 0 ->
   E3_2 = [- 10; - 10; 10 * sqrt 2; 400] /\ entry (midpoint [- 10; - 10; 10 * sqrt 2; 400]) 1 < 0 /\ entry (midpoint [- 10; - 10; 10 * sqrt 2; 400]) 2 < 0.
@@ -83,10 +72,7 @@ Definition instance : Prop :=
 End sec_4_2_Q2.
 
 Module sec_4_2_Q3.
-(* gbt-developable/sec-4.2.Q3, Sect. 4.2, control planes
-   printed: Q_3 = (12.5, −12.5, 12.5√2, 625)
-   read as: Compared with the plane that the statements of Sect. 4.2 use, which is the family at x = 1, and with what the text says of it: its central point is in quadrant IV.
-   stated: E3(1) == [12.5, -12.5, 12.5*sqrt(2), 625] and midpoint(E3(1))[1] > 0 and midpoint(E3(1))[2] < 0 *)
+(* gbt-developable/sec-4.2.Q3 *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R),
   (-1) <= mu <= 1 ->
@@ -101,9 +87,7 @@ exists (mu : R) (nu : R),
 End sec_4_2_Q3.
 
 Module sec_4_2_quadrants.
-(* gbt-developable/sec-4.2.quadrants, Sect. 4.2, sentence before the planes
-   printed: the central points of the control planes ... are taken in four different quadrants I, II, III, IV
-   stated: midpoint(E3_0)[1] > 0 and midpoint(E3_0)[2] > 0 and midpoint(E3_1)[1] < 0 and midpoint(E3_1)[2] > 0 and midpoint(E3_2)[1] < 0 and midpoint(E3_2)[2] < 0 and midpoint(E3_3)[1] > 0 and midpoint(E3_3)[2] < 0 *)
+(* gbt-developable/sec-4.2.quadrants *)
 Definition statement : Prop :=
   dot (normal E3_0) (normal E3_0) <> 0 ->
   dot (normal E3_1) (normal E3_1) <> 0 ->
@@ -118,9 +102,7 @@ Definition instance : Prop :=
 End sec_4_2_quadrants.
 
 Module sec_4_2_distances.
-(* gbt-developable/sec-4.2.distances, Sect. 4.2, sentence before the planes
-   printed: ... with nonidentical distance from the origin
-   stated: distance2(E3_0) < distance2(E3_1) and distance2(E3_1) < distance2(E3_2) and distance2(E3_2) < distance2(E3_3) *)
+(* gbt-developable/sec-4.2.distances *)
 Definition statement : Prop :=
   dot (normal E3_0) (normal E3_0) <> 0 ->
   dot (normal E3_1) (normal E3_1) <> 0 ->
@@ -135,10 +117,7 @@ Definition instance : Prop :=
 End sec_4_2_distances.
 
 Module sec_4_2_class.
-(* gbt-developable/sec-4.2.class, Sect. 4.2, after the planes
-   printed: With different values of shape parameters μ and ν, a class of cubic spine curve developable GBT-Bézier surfaces can be designed on the requirement of provided control planes Q_0, Q_1, Q_2, Q_3 in Fig. 13 and Fig. 14 respectively, with distinct shapes.
-   read as: The surface is there and is no cone, for all shape parameters: near x = 1/2 the characteristic point exists and its velocity is not zero. It changes with each shape parameter.
-   stated: det([normal(E3(1/2)), normal(E3'(1/2)), normal(E3''(1/2))]) > 0 and det([E3(1/2), E3'(1/2), E3''(1/2), E3'''(1/2)]) > 0 and fails(D(middle, mu) == 0) and fails(D(middle, nu) == 0) *)
+(* gbt-developable/sec-4.2.class *)
 Definition E3 (mu : R) (nu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E3_0) (vscale (g x mu nu 1%Z 3%Z) E3_1)) (vscale (g x mu nu 2%Z 3%Z) E3_2)) (vscale (g x mu nu 3%Z 3%Z) E3_3).
 Definition E3_ (nu : R) (mu : R) (x : R) : list R :=
@@ -169,9 +148,7 @@ exists (mu : R) (nu : R),
 End sec_4_2_class.
 
 Module sec_4_2_class_interior.
-(* gbt-developable/sec-4.2.class.interior, Sect. 4.2
-   printed: The spine curve of Sect. 4.2 exists for all shape parameters and all x between the ends.
-   stated: det([normal(E3(x)), normal(E3'(x)), normal(E3''(x))]) > 0 *)
+(* gbt-developable/sec-4.2.class.interior *)
 Definition E3 (mu : R) (nu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E3_0) (vscale (g x mu nu 1%Z 3%Z) E3_1)) (vscale (g x mu nu 2%Z 3%Z) E3_2)) (vscale (g x mu nu 3%Z 3%Z) E3_3).
 Definition statement : Prop :=
@@ -188,9 +165,7 @@ exists (mu : R) (nu : R) (x : R),
 End sec_4_2_class_interior.
 
 Module sec_4_2_class_ends.
-(* gbt-developable/sec-4.2.class.ends, Sect. 4.2
-   printed: The ends of the spine curve of Sect. 4.2: where there is none, and where its velocity is zero.
-   stated: det([normal(E3(0)), normal(E3'(0)), normal(E3''(0))]) == 1/8*pi*(2 + pi*(1 + mu))*(4*(1 + mu) + pi*(1 - nu))*det([normal(E3_0), normal(E3_1), normal(E3_2)]) and det([E3(0), E3'(0), E3''(0), E3'''(0)]) == 463125/16*sqrt(2)*pi^3*(1 - nu)*(2 + pi*(1 + mu))*(4*(1 + mu) + pi*(1 - nu)) and det([normal(E3(1)), normal(E3'(1)), normal(E3''(1))]) == 1/8*pi*(2 + pi*(1 + nu))*(4*(1 + nu) + pi*(1 - mu))*det([normal(E3_1), normal(E3_2), normal(E3_3)]) *)
+(* gbt-developable/sec-4.2.class.ends *)
 Definition E3_ (mu : R) (nu : R) (x : R) : list R :=
   vadd (vadd (vadd (vscale (g x mu nu 0%Z 3%Z) E3_0) (vscale (g x mu nu 1%Z 3%Z) E3_1)) (vscale (g x mu nu 2%Z 3%Z) E3_2)) (vscale (g x mu nu 3%Z 3%Z) E3_3).
 Definition statement : Prop :=

@@ -51,10 +51,7 @@ End Definitions.
 Import Definitions.
 
 Module eq_5_3_b.
-(* gbt-developable/eq-5.3.b, Sect. 5.1, eq. (5.3), second line, and the text after it
-   printed: Ĝ_2(x, μ_2, ν_2) = Σ_{j=0}^{l} g_{j,l}(x, μ_2, ν_2) R̂_{j,2}, R̂_{j,2} = (ω_{j,2} Q_{j,2}, ω_{j,2})
-   read as: The first components of the control points: by (5.1) on the left, as printed here on the right.
-   stated: omega_2[j]*R_2[j] == omega_2[j]*Q_2[j] *)
+(* gbt-developable/eq-5.3.b *)
 Definition statement : Prop :=
 forall (j : Z) (l : Z) (Q_2 : Z -> R) (R_2 : Z -> R) (omega_2 : Z -> R),
   (0 <= j <= l)%Z ->
@@ -63,10 +60,7 @@ forall (j : Z) (l : Z) (Q_2 : Z -> R) (R_2 : Z -> R) (omega_2 : Z -> R),
 End eq_5_3_b.
 
 Module eq_5_3_b_corrected.
-(* gbt-developable/eq-5.3.b (corrected), Sect. 5.1, eq. (5.3), second line, and the text after it
-   printed: Ĝ_2(x, μ_2, ν_2) = Σ_{j=0}^{l} g_{j,l}(x, μ_2, ν_2) R̂_{j,2}, R̂_{j,2} = (ω_{j,2} Q_{j,2}, ω_{j,2})
-   read as: The first components of the control points: by (5.1) on the left, as printed here on the right.
-   stated: omega_2[j]*R_2[j] == omega_2[j]*R_2[j] *)
+(* gbt-developable/eq-5.3.b (corrected) *)
 Definition statement : Prop :=
 forall (j : Z) (l : Z) (R_2 : Z -> R) (omega_2 : Z -> R),
   (0 <= j <= l)%Z ->
@@ -79,10 +73,7 @@ exists (j : Z) (l : Z) (R_2 : Z -> R) (omega_2 : Z -> R),
 End eq_5_3_b_corrected.
 
 Module eq_5_4.
-(* gbt-developable/eq-5.4, Sect. 5.1, eq. (5.4)
-   printed: Ĝ_2(0, μ_2, ν_2) = Ĝ_1(1, μ_1, ν_1);  Ĝ'_2(0, μ_2, ν_2) = γ Ĝ'_1(1, μ_1, ν_1), where γ > 0 is a constant
-   read as: With the control planes for the control points: the differences of both sides are compared with those of (5.6) and (5.9), in which the paper uses them.
-   stated: H2(0) - H1(1) == P2[0] - P1[k] and gamma*H1'(1) - H2'(0) == gamma*(k - 2 + pi/2*(1 + nu1))*(P1[k] - P1[k-1]) - (l - 2 + pi/2*(1 + mu2))*(P2[1] - P2[0]) *)
+(* gbt-developable/eq-5.4 *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -113,10 +104,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End eq_5_4.
 
 Module eq_5_4_nec_suf_curves_of_four_coordinates.
-(* gbt-developable/eq-5.4.nec-suf.curves of four coordinates, Sect. 5.1, sentence before (5.4)
-   printed: from the definition of G1 continuity among two parametric curves, the adequate and essential requirements for G1 continuous connection among two or more contiguous weighted GBT-Bézier curves Ĝ_1(x) and Ĝ_2(x) are (5.4)
-   read as: 'G1 continuity among two or more weighted GBT-Bézier curves in a 4D homogeneous space': same point and same direction there. d and d2 are the derivatives; their directions agree where Cauchy's inequality is an equality, that is where d2 has no part across d, so that it is a multiple of d.
-   stated: dot(d2, d2)*dot(d, d) - dot(d2, d)^2 == dot(across, across)*dot(d, d) and d2 - across == dot(d2, d)/dot(d, d)*d *)
+(* gbt-developable/eq-5.4.nec-suf.curves of four coordinates *)
 Definition across (d : list R) (d2 : list R) : list R :=
   vsub d2 (vscale (dot d2 d / dot d d) d).
 Definition statement : Prop :=
@@ -135,10 +123,7 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R),
 End eq_5_4_nec_suf_curves_of_four_coordinates.
 
 Module eq_5_4_nec_suf_curves_in_space.
-(* gbt-developable/eq-5.4.nec-suf.curves in space, Sect. 5.1, sentence before (5.4)
-   printed: from the definition of G1 continuity among two parametric curves, the adequate and essential requirements for G1 continuous connection among two or more contiguous weighted GBT-Bézier curves Ĝ_1(x) and Ĝ_2(x) are (5.4)
-   read as: The curves after division by the weight, which (5.1) is for. h and d are the homogeneous point and derivative of the first curve, r h and r gamma d + s h those of the second: they give the same point and the same tangent.
-   stated: point(r*h) == point(h) and velocity(r*h, r*gamma*d + s*h) == gamma*velocity(h, d) and r*h == h and r*gamma*d + s*h == gamma*d *)
+(* gbt-developable/eq-5.4.nec-suf.curves in space *)
 Definition point (p : list R) : list R :=
   vdiv [entry p 1; entry p 2; entry p 3] (entry p 4).
 Definition velocity (p : list R) (dp : list R) : list R :=
@@ -159,10 +144,7 @@ forall (d'1 d'2 d'3 d'4 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (r : R) (s : R),
 End eq_5_4_nec_suf_curves_in_space.
 
 Module sec_5_1_certify.
-(* gbt-developable/sec-5.1.certify, Sect. 5.1, sentence before Theorem 2
-   printed: the geometric continuity among two curves in a 4D homogeneous space certifies the geometric continuity among two conforming developable surfaces developed by using the duality principle in a 3D Euclidean space
-   read as: h, d and the plane (n, ...) are the plane of the first family at the joint and its first two derivatives, h2, d2 and (n2, ...) those of the second; JA and JB the rulings (3.7) of both surfaces, start the point of the generator. The surfaces have the generator in common, and their tangent vectors across it are multiples of each other with the factor (e1 e2/γ)/e1², which is positive: the second sheet continues the first.
-   stated: JB(0) == JA(0) and cross(direction(h, d), JB'(0)) == e1*e2/gamma/e1^2*cross(direction(h, d), JA'(0)) and e1*e2/gamma > 0 *)
+(* gbt-developable/sec-5.1.certify *)
 Definition start (d : list R) (h : list R) (x1 : R) : list R :=
   vadd (vscale x1 (direction h d)) (foot h d).
 Definition dd2 (d : list R) (e2 : R) (h : list R) (n2 : list R) (x1 : R) : list R :=
@@ -227,9 +209,7 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (e1 : R) (e2 : R) (gamma 
 End sec_5_1_certify.
 
 Module sec_5_1_certify_sheets.
-(* gbt-developable/sec-5.1.certify.sheets, Sect. 5.1, sentence before Theorem 2
-   printed: Two families that satisfy (5.4): on which side of the generator both surfaces are.
-   stated: direction(h2, d2) == gamma*direction(h, d) and foot(h2, d2) == foot(h, d) and cross(direction(h, d), JA'(0)) == -e1*normal(h) and cross(direction(h, d), JB'(0)) == -e2/gamma*normal(h) *)
+(* gbt-developable/sec-5.1.certify.sheets *)
 Definition P__ (d : list R) (dd : list R) (h : list R) (e : Z) : list R :=
   vadd (vadd h (vscale (IZR e) d)) (vscale (IZR e ^ 2 / 2) dd).
 Definition O_ (d2 : list R) (dd2 : list R) (h2 : list R) (e : R) : list R :=
@@ -286,9 +266,7 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R)
 End sec_5_1_certify_sheets.
 
 Module sec_5_1_certify_cusp.
-(* gbt-developable/sec-5.1.certify.cusp, Sect. 5.1, sentence before Theorem 2
-   printed: Two families that satisfy (5.4) and (5.5), whose surfaces fold back at the joint.
-   stated: F2(0) == F1(1) and F2'(0) == F1'(1) and profile1(1) == profile2(0) and cross(profile1'(1), profile2'(0)) == 0 and dot(profile1'(1), profile2'(0)) < 0 *)
+(* gbt-developable/sec-5.1.certify.cusp *)
 Definition F2 (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) 1 1 0%Z 3%Z) [0; 20; 10; 400]) (vscale (g (IZR x) 1 1 1%Z 3%Z) [0; 30; 0; 400])) (vscale (g (IZR x) 1 1 2%Z 3%Z) [0; 50; 0; 400])) (vscale (g (IZR x) 1 1 3%Z 3%Z) [0; 60; - 20; 400]).
 Definition F2_ (x : R) : list R :=
@@ -315,9 +293,7 @@ Definition instance : Prop :=
 End sec_5_1_certify_cusp.
 
 Module thm_2_inflection.
-(* gbt-developable/thm-2.inflection, Sect. 5.1, Theorem 2
-   printed: Two families with γ = −1, whose surfaces have a smooth joint.
-   stated: F2(0) == F1(1) and F2'(0) == -F1'(1) and profile1(1) == profile2(0) and profile1'(1) == profile2'(0) and dot(profile1'(1), profile2'(0)) > 0 *)
+(* gbt-developable/thm-2.inflection *)
 Definition F2 (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) 1 1 0%Z 3%Z) [0; 20; 10; 400]) (vscale (g (IZR x) 1 1 1%Z 3%Z) [0; 10; 20; 400])) (vscale (g (IZR x) 1 1 2%Z 3%Z) [0; 10; 40; 400])) (vscale (g (IZR x) 1 1 3%Z 3%Z) [0; 0; 30; 400]).
 Definition F2_ (x : R) : list R :=
@@ -344,10 +320,7 @@ Definition instance : Prop :=
 End thm_2_inflection.
 
 Module sec_5_1_G0_families.
-(* gbt-developable/sec-5.1.G0.families, Sect. 5.1, proof of Theorem 2, first sentence, eq. (5.6)
-   printed: it is compulsory that H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) reach G0 continuity at the common first, which implies Q_{0,2} = Q_{k,1}
-   read as: G0 continuity of the families as curves of four coordinates: equal ends.
-   stated: P2[0] == P1[k] *)
+(* gbt-developable/sec-5.1.G0.families *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -374,10 +347,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End sec_5_1_G0_families.
 
 Module sec_5_1_G0_surfaces.
-(* gbt-developable/sec-5.1.G0.surfaces, Sect. 5.1, proof of Theorem 2, first sentence, eq. (5.6)
-   printed: it is compulsory that H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) reach G0 continuity at the common first, which implies Q_{0,2} = Q_{k,1}
-   read as: G0 continuity of the surfaces: they contain the same generator. h and d are the end plane and the derivative of the first, h2 and d2 those of the second.
-   stated: h2 == h *)
+(* gbt-developable/sec-5.1.G0.surfaces *)
 Definition statement : Prop :=
 forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R) (r : R) (s : R) (u : R) (v : R),
   let d := [d'1; d'2; d'3; d'4] in
@@ -393,9 +363,7 @@ forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (h'1 h'2 h'3 h'4 : R) (h2
 End sec_5_1_G0_surfaces.
 
 Module thm_2_a.
-(* gbt-developable/thm-2.a, Sect. 5.1, Theorem 2, eq. (5.5), first line; also eq. (5.6)
-   printed: Q_{0,2} = Q_{k,1}
-   stated: P2[0] == P1[k] *)
+(* gbt-developable/thm-2.a *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -422,9 +390,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_2_a.
 
 Module thm_2_b.
-(* gbt-developable/thm-2.b, Sect. 5.1, Theorem 2, eq. (5.5), second line
-   printed: Q_{1,2} = Q_{k,1} + γ (k − 2 + π/2 (1 + ν_1))/(l − 2 + π/2 (1 + μ_2)) (Q_{k,1} − Q_{k−1,1})
-   stated: P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
+(* gbt-developable/thm-2.b *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -461,10 +427,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End thm_2_b.
 
 Module eq_5_7_requirement.
-(* gbt-developable/eq-5.7.requirement, Sect. 5.1, proof of Theorem 2, eq. (5.7)
-   printed: want to share a common tangent plane at connection, that is to say, H'_2(0, μ_2, ν_2) = γ H'_1(1, μ_1, ν_1)
-   read as: The requirements (5.6) and (5.7) together: the surfaces have the tangent plane and the generator in common.
-   stated: midpoint(h2) == midpoint(h) and foot(h2, d2) == foot(h, d) and cross(direction(h2, d2), direction(h, d)) == 0 *)
+(* gbt-developable/eq-5.7.requirement *)
 Definition midpoint (P : list R) : list R :=
   vscale (entry P 4 / dot (normal P) (normal P)) (normal P).
 Definition statement : Prop :=
@@ -501,10 +464,7 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (gamma : R) (h'1 h'2 h'3 
 End eq_5_7_requirement.
 
 Module eq_5_7_equivalence.
-(* gbt-developable/eq-5.7.equivalence, Sect. 5.1, proof of Theorem 2, eq. (5.7)
-   printed: want to share a common tangent plane at connection, that is to say, H'_2(0, μ_2, ν_2) = γ H'_1(1, μ_1, ν_1)
-   read as: A common tangent plane, H_2(0) = H_1(1), is the same as (5.7).
-   stated: d2 == gamma*d *)
+(* gbt-developable/eq-5.7.equivalence *)
 Definition statement : Prop :=
 forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (gamma : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R),
   let d := [d'1; d'2; d'3; d'4] in
@@ -517,9 +477,7 @@ forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (gamma : R) (h'1 h'2 h'3 
 End eq_5_7_equivalence.
 
 Module eq_5_8_a.
-(* gbt-developable/eq-5.8.a, Sect. 5.1, eq. (5.8), first line
-   printed: H'_1(1, μ_1, ν_1) = (k − 2 + π/2 (1 + ν_1)) (Q_{k,1} − Q_{k−1,1})
-   stated: H1'(1) == (k - 2 + pi/2*(1 + nu1))*(P1[k] - P1[k-1]) *)
+(* gbt-developable/eq-5.8.a *)
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
@@ -540,9 +498,7 @@ exists (k : Z) (P1 : Z -> R) (mu1 : R) (nu1 : R),
 End eq_5_8_a.
 
 Module eq_5_8_b.
-(* gbt-developable/eq-5.8.b, Sect. 5.1, eq. (5.8), second line
-   printed: H'_2(0, μ_2, ν_2) = (l − 2 + π/2 (1 + μ_2)) (Q_{1,2} − Q_{0,2})
-   stated: H2'(0) == (l - 2 + pi/2*(1 + mu2))*(P2[1] - P2[0]) *)
+(* gbt-developable/eq-5.8.b *)
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition statement : Prop :=
@@ -563,9 +519,7 @@ exists (l : Z) (P2 : Z -> R) (mu2 : R) (nu2 : R),
 End eq_5_8_b.
 
 Module eq_5_9.
-(* gbt-developable/eq-5.9, Sect. 5.1, eq. (5.9)
-   printed: γ (k − 2 + π/2 (1 + ν_1)) (Q_{k,1} − Q_{k−1,1}) = (l − 2 + π/2 (1 + μ_2)) (Q_{1,2} − Q_{0,2})
-   stated: gamma*H1'(1) - H2'(0) == gamma*(k - 2 + pi/2*(1 + nu1))*(P1[k] - P1[k-1]) - (l - 2 + pi/2*(1 + mu2))*(P2[1] - P2[0]) *)
+(* gbt-developable/eq-5.9 *)
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
@@ -600,9 +554,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End eq_5_9.
 
 Module eq_5_10.
-(* gbt-developable/eq-5.10, Sect. 5.1, eq. (5.10)
-   printed: Q_{1,2} = Q_{k,1} + γ (k − 2 + π/2 (1 + ν_1))/(l − 2 + π/2 (1 + μ_2)) (Q_{k,1} − Q_{k−1,1})
-   stated: P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
+(* gbt-developable/eq-5.10 *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu2 : R) (nu1 : R),
   0 < gamma ->
@@ -637,10 +589,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu2 : R) (nu1 : 
 End eq_5_10.
 
 Module thm_2_sufficient.
-(* gbt-developable/thm-2.sufficient, Sect. 5.1, Theorem 2, the word 'adequate'
-   printed: Adequate ... requirements for G1 smooth connection among two contiguous developable GBT-Bézier surfaces ... are (5.5)
-   read as: (5.5) makes the end planes equal and the derivatives proportional, and the common generator is the line of Q_{k-1,1} and Q_{k,1}. With h, d, dd for H_1(1), H'_1(1), H''_1(1) and h2, d2, dd2 for H_2(0), H'_2(0), H''_2(0) the rulings JA and JB of both surfaces are the same there, and the second sheet continues the first.
-   stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and P1[k-1] == H2(0) - H2'(0)/(gamma*(k - 2 + pi/2*(1 + nu1))) and JB(0) == JA(0) and cross(direction(h, d), JB'(0)) == e2/(gamma*e1)*cross(direction(h, d), JA'(0)) *)
+(* gbt-developable/thm-2.sufficient *)
 Definition P (d : list R) (dd : list R) (h : list R) (e : Z) : list R :=
   vadd (vadd h (vscale (IZR e) d)) (vscale (IZR e ^ 2 / 2) dd).
 Definition normal (P__ : list R) : list R :=
@@ -747,10 +696,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (d'1 d'2 d'3 d'4 : R) (d2'1 d
 End thm_2_sufficient.
 
 Module thm_2_necessary_families.
-(* gbt-developable/thm-2.necessary.families, Sect. 5.1, Theorem 2, the word 'essential'
-   printed: ... essential requirements for G1 smooth connection among two contiguous developable GBT-Bézier surfaces ... are (5.5)
-   read as: G1 smooth connection is (5.4) for the families, as the proof takes it.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
+(* gbt-developable/thm-2.necessary.families *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -789,10 +735,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End thm_2_necessary_families.
 
 Module thm_2_necessary_surfaces.
-(* gbt-developable/thm-2.necessary.surfaces, Sect. 5.1, Theorem 2, the word 'essential'
-   printed: ... essential requirements for G1 smooth connection among two contiguous developable GBT-Bézier surfaces ... are (5.5)
-   read as: G1 smooth connection is what it is for surfaces: same generator, same tangent plane along it.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
+(* gbt-developable/thm-2.necessary.surfaces *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
   0 < gamma ->
@@ -814,9 +757,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End thm_2_necessary_surfaces.
 
 Module thm_2_true_necessary.
-(* gbt-developable/thm-2.true.necessary, Sect. 5.1, Theorem 2
-   printed: Two surfaces with the same end generator and the same tangent plane along it: what this asks of the control planes, with the constants ρ, γ and s.
-   stated: P2[0] == rho*P1[k] and P2[1] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] *)
+(* gbt-developable/thm-2.true.necessary *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
   (2 <= k)%Z ->
@@ -853,9 +794,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End thm_2_true_necessary.
 
 Module thm_2_true_sufficient.
-(* gbt-developable/thm-2.true.sufficient, Sect. 5.1, Theorem 2
-   printed: Control planes with constants ρ, γ and s: the surfaces have the same end generator and the same tangent plane along it.
-   stated: H2(0) == rho*H1(1) and H2'(0) == rho*gamma*H1'(1) + s*H1(1) *)
+(* gbt-developable/thm-2.true.sufficient *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
   (2 <= k)%Z ->
@@ -892,9 +831,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End thm_2_true_sufficient.
 
 Module thm_2_true_generator.
-(* gbt-developable/thm-2.true.generator, Sect. 5.1, Theorem 2
-   printed: A plane through the generator of two planes is a combination of them.
-   stated: n == alpha*normal(d) + omega*normal(h) + dot(n, direction(h, d))/dot(direction(h, d), direction(h, d))*direction(h, d) and d2[4] == alpha*d[4] + omega*h[4] + (d2[4] - dot(n, foot(h, d))) *)
+(* gbt-developable/thm-2.true.generator *)
 Definition hh (h : list R) : R :=
   dot (normal h) (normal h).
 Definition d0 (d : list R) : R :=
@@ -927,9 +864,7 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (h'1 h'2 h'3 h'4 : R),
 End thm_2_true_generator.
 
 Module thm_2_true_sheets.
-(* gbt-developable/thm-2.true.sheets, Sect. 5.1, Theorem 2
-   printed: Two surfaces with the same end generator and the same tangent plane along it: the condition that excludes a cusp.
-   stated: JB(0) == JA(0) and cross(direction(h, d), JA'(0)) == -e1*normal(h) and cross(direction(h, d), JB'(0)) == -e2/alpha*normal(h) *)
+(* gbt-developable/thm-2.true.sheets *)
 Definition P_ (d : list R) (dd : list R) (h : list R) (e : Z) : list R :=
   vadd (vadd h (vscale (IZR e) d)) (vscale (IZR e ^ 2 / 2) dd).
 Definition P__ (d : list R) (dd : list R) (h : list R) (e : R) : list R :=
@@ -990,10 +925,7 @@ exists (alpha : R) (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd
 End thm_2_true_sheets.
 
 Module thm_2_proof_comprise_families.
-(* gbt-developable/thm-2.proof.comprise.families, Sect. 5.1, end of the proof of Theorem 2
-   printed: Hence equations (5.6) and (5.10) comprise the adequate and essential requirements of G1 smooth connection betwixt two developable GBT-Bézier surfaces of order k and l sequentially.
-   read as: G1 smooth connection is (5.4) for the families, as the proof takes it.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
+(* gbt-developable/thm-2.proof.comprise.families *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -1032,10 +964,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End thm_2_proof_comprise_families.
 
 Module thm_2_proof_comprise_surfaces.
-(* gbt-developable/thm-2.proof.comprise.surfaces, Sect. 5.1, end of the proof of Theorem 2
-   printed: Hence equations (5.6) and (5.10) comprise the adequate and essential requirements of G1 smooth connection betwixt two developable GBT-Bézier surfaces of order k and l sequentially.
-   read as: G1 smooth connection is what it is for surfaces: same generator, same tangent plane along it.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + gamma*(k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2))*(P1[k] - P1[k-1]) *)
+(* gbt-developable/thm-2.proof.comprise.surfaces *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R),
   0 < gamma ->

@@ -35,10 +35,7 @@ End Definitions.
 Import Definitions.
 
 Module eq_5_11.
-(* gbt-developable/eq-5.11, Sect. 5.2, eq. (5.11)
-   printed: H_2(0, μ_2, ν_2) = H_1(1, μ_1, ν_1);  H'_2(0, μ_2, ν_2) = H'_1(1, μ_1, ν_1);  H''_2(0, μ_2, ν_2) = H''_1(1, μ_1, ν_1)
-   read as: The differences of both sides are compared with those of (5.13) and (5.15), in which the paper uses them.
-   stated: H2(0) - H1(1) == P2[0] - P1[k] and 2*(H2'(0) - H1'(1)) == (2*(l - 2) + pi*(1 + mu2))*(P2[1] - P2[0]) - (2*(k - 2) + pi*(1 + nu1))*(P1[k] - P1[k-1]) and 4*(H2''(0) - H1''(1)) == 4*(l - 2)*(l - 3 + pi*(1 + mu2))*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) - (4*(k - 2)*(k - 3 + pi*(1 + nu1))*(P1[k-2] - 2*P1[k-1] + P1[k]) + pi^2*(1 - mu1)*(P1[k-2] - P1[k-1]) - 2*pi^2*nu1*(P1[k-1] - P1[k])) *)
+(* gbt-developable/eq-5.11 *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -71,10 +68,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End eq_5_11.
 
 Module sec_5_2_meaning.
-(* gbt-developable/sec-5.2.meaning, Sect. 5.2, sentence after (5.11)
-   printed: ... represents that the developable GBT-Bézier surfaces defined by H_1(x, μ_1, ν_1), H_2(x, μ_2, ν_2) need to have the same tangent plane, characteristic point, and generator at the joint
-   read as: Tangent plane (by its point nearest to the origin), generator (Plücker coordinates) and characteristic point.
-   stated: midpoint(h2) == midpoint(h) and direction(h2, d2) == direction(h, d) and moment(h2, d2) == moment(h, d) and meet(h2, d2, dd2) == meet(h, d, dd) *)
+(* gbt-developable/sec-5.2.meaning *)
 Definition statement : Prop :=
 forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R),
   let d := [d'1; d'2; d'3; d'4] in
@@ -113,10 +107,7 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R)
 End sec_5_2_meaning.
 
 Module sec_5_2_ref.
-(* gbt-developable/sec-5.2.ref, Sect. 5.2, sentence after (5.11)
-   printed: Equation (5.2) represents that the developable GBT-Bézier surfaces ... need to have the same tangent plane, characteristic point, and generator at the joint
-   read as: (5.2) names the two families and asks nothing of them: any two would agree, in the end plane to begin with.
-   stated: H2(0) == H1(1) *)
+(* gbt-developable/sec-5.2.ref *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -129,9 +120,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End sec_5_2_ref.
 
 Module sec_5_2_ref_true.
-(* gbt-developable/sec-5.2.ref.true, Sect. 5.2, sentence after (5.11)
-   printed: (5.11) asks for the same tangent plane, generator and characteristic point.
-   stated: midpoint(h2) == midpoint(h) and direction(h2, d2) == direction(h, d) and moment(h2, d2) == moment(h, d) and meet(h2, d2, dd2) == meet(h, d, dd) *)
+(* gbt-developable/sec-5.2.ref.true *)
 Definition statement : Prop :=
 forall (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 : R) (h'1 h'2 h'3 h'4 : R) (h2'1 h2'2 h2'3 h2'4 : R),
   let d := [d'1; d'2; d'3; d'4] in
@@ -170,10 +159,7 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R)
 End sec_5_2_ref_true.
 
 Module sec_5_2_index.
-(* gbt-developable/sec-5.2.index, Sect. 5.2, first paragraph (twice)
-   printed: control planes Q_{i,j} (i = 1, 2, ..., k; j = 1, 2)
-   read as: The first family is made of the control planes with these indices.
-   stated: H1(x) == sum(i, 1, k, g[i,k](x, mu1, nu1)*P1[i]) *)
+(* gbt-developable/sec-5.2.index *)
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
   sum 0%Z k (fun i => g x mu1 nu1 i k * P1 i).
 Definition statement : Prop :=
@@ -187,10 +173,7 @@ forall (k : Z) (P1 : Z -> R) (mu1 : R) (nu1 : R) (x : R),
 End sec_5_2_index.
 
 Module thm_3_consts.
-(* gbt-developable/thm-3.consts, Sect. 5.2, Theorem 3, line after (5.12)
-   printed: c = (2(k−2) + π(1+ν_1))/(2(l−2) + π(1+μ_2)), c_k = 4(k−2)(k−3+π(1+ν_1)), c_l = 4(l−2)(l−3+π(1+μ_2))
-   read as: Compared with the constants that (5.12) and (5.16) are stated with, and c with the factor of (5.5).
-   stated: c == (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2)) and ck == 4*(k - 2)*(k - 3 + pi*(1 + nu1)) and cl == 4*(l - 2)*(l - 3 + pi*(1 + mu2)) and c == (k - 2 + pi/2*(1 + nu1))/(l - 2 + pi/2*(1 + mu2)) *)
+(* gbt-developable/thm-3.consts *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (mu2 : R) (nu1 : R),
   (2 <= k)%Z ->
@@ -211,9 +194,7 @@ exists (k : Z) (l : Z) (mu2 : R) (nu1 : R),
 End thm_3_consts.
 
 Module thm_3_a.
-(* gbt-developable/thm-3.a, Sect. 5.2, Theorem 3, eq. (5.12), first line
-   printed: Q_{0,2} = Q_{k,1}
-   stated: P2[0] == P1[k] *)
+(* gbt-developable/thm-3.a *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -240,9 +221,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_a.
 
 Module thm_3_b.
-(* gbt-developable/thm-3.b, Sect. 5.2, Theorem 3, eq. (5.12), second line
-   printed: Q_{1,2} = Q_{k,1} + c (Q_{k,1} − Q_{k−1,1})
-   stated: P2[1] == P1[k] + c*(P1[k] - P1[k-1]) *)
+(* gbt-developable/thm-3.b *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -275,9 +254,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_b.
 
 Module thm_3_c.
-(* gbt-developable/thm-3.c, Sect. 5.2, Theorem 3, eq. (5.12), third line
-   printed: Q_{2,2} = Q_{k,1} + c (Q_{k,1} − Q_{k−1,1}) + 1/(c_l + π²(1−ν_2)) [c_k (Q_{k,1} − 2 Q_{k−1,1} + Q_{k−2,1}) − π²(1−μ_1) × (Q_{k−1,1} − Q_{k−2,1}) + (2π² ν_1 + c (c_l + 2π² μ_2)) (Q_{k,1} − Q_{k−1,1})]
-   stated: P2[2] == P1[k] + c*(P1[k] - P1[k-1]) + 1/(cl + pi^2*(1 - nu2))*(ck*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + (2*pi^2*nu1 + c*(cl + 2*pi^2*mu2))*(P1[k] - P1[k-1])) *)
+(* gbt-developable/thm-3.c *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -318,10 +295,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_c.
 
 Module thm_3_sufficient.
-(* gbt-developable/thm-3.sufficient, Sect. 5.2, Theorem 3, the word 'satisfactory'
-   printed: The essential and satisfactory requirements for achieving Farin–Boehm G2 continuity betwixt two contiguous developable GBT-Bézier surfaces ... at the connection are (5.12)
-   read as: (5.12) gives (5.11), and the common generator, the line of Q_{k-1,1} and Q_{k,1}, is there.
-   stated: H2(0) == H1(1) and H2'(0) == H1'(1) and H2''(0) == H1''(1) and P1[k-1] == H2(0) - H2'(0)/(k - 2 + pi/2*(1 + nu1)) *)
+(* gbt-developable/thm-3.sufficient *)
 Definition farin_boehm (P1 : Z -> R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
   P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (2 * PI ^ 2 * nu1 + c k l mu2 nu1 * (cl l mu2 + 2 * PI ^ 2 * mu2)) * (P1 k - P1 (k - 1)%Z)).
 Definition statement : Prop :=
@@ -372,10 +346,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_sufficient.
 
 Module thm_3_necessary_families.
-(* gbt-developable/thm-3.necessary.families, Sect. 5.2, Theorem 3, the word 'essential'
-   printed: The essential ... requirements for achieving Farin–Boehm G2 continuity betwixt two contiguous developable GBT-Bézier surfaces ... are (5.12)
-   read as: Farin–Boehm G2 continuity is (5.11), which 'they must satisfy'.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
+(* gbt-developable/thm-3.necessary.families *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -420,10 +391,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_necessary_families.
 
 Module thm_3_necessary_surfaces.
-(* gbt-developable/thm-3.necessary.surfaces, Sect. 5.2, Theorem 3, the word 'essential'
-   printed: The essential ... requirements for achieving Farin–Boehm G2 continuity betwixt two contiguous developable GBT-Bézier surfaces ... are (5.12)
-   read as: Farin–Boehm G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. A factor rho of all coordinates is enough to refute.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
+(* gbt-developable/thm-3.necessary.surfaces *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
   (2 <= k)%Z ->
@@ -448,9 +416,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_necessary_surfaces.
 
 Module eq_5_13.
-(* gbt-developable/eq-5.13, Sect. 5.2, eq. (5.13)
-   printed: Q_{0,2} = Q_{k,1};  Q_{1,2} = Q_{k,1} + (2(k−2) + π(1+ν_1))/(2(l−2) + π(1+μ_2)) (Q_{k,1} − Q_{k−1,1})
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2))*(P1[k] - P1[k-1]) *)
+(* gbt-developable/eq-5.13 *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -485,9 +451,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End eq_5_13.
 
 Module eq_5_15.
-(* gbt-developable/eq-5.15, Sect. 5.2, eqs. (5.14), (5.15)
-   printed: 4(l−2)(l−3+π(1+μ_2))(Q_{0,2} − 2Q_{1,2} + Q_{2,2}) + 2π²μ_2 (Q_{0,2} − Q_{1,2}) − π²(1−ν_2)(Q_{1,2} − Q_{2,2}) = 4(k−2) × (k−3+π(1+ν_1))(Q_{k−2,1} − 2Q_{k−1,1} + Q_{k,1}) + π²(1−μ_1)(Q_{k−2,1} − Q_{k−1,1}) − 2π²ν_1 (Q_{k−1,1} − Q_{k,1})
-   stated: 4*(H2''(0) - H1''(1)) == 4*(l - 2)*(l - 3 + pi*(1 + mu2))*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) - (4*(k - 2)*(k - 3 + pi*(1 + nu1))*(P1[k-2] - 2*P1[k-1] + P1[k]) + pi^2*(1 - mu1)*(P1[k-2] - P1[k-1]) - 2*pi^2*nu1*(P1[k-1] - P1[k])) *)
+(* gbt-developable/eq-5.15 *)
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition H1 (P1 : Z -> R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : R :=
@@ -524,9 +488,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End eq_5_15.
 
 Module thm_3_proofref.
-(* gbt-developable/thm-3.proofref, Sect. 5.2, proof of Theorem 3, last sentence
-   printed: Simply by using the values of Q_{0,2}, Q_{1,2} from expression (5.6) into expression (5.8), we can get the required Farin–Boehm G2 continuity requirements (5.5).
-   stated: P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
+(* gbt-developable/thm-3.proofref *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -548,9 +510,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_proofref.
 
 Module thm_3_proofref_true.
-(* gbt-developable/thm-3.proofref.true, Sect. 5.2, proof of Theorem 3, last sentence
-   printed: (5.13) put into (5.15) gives (5.12).
-   stated: P2[2] == farin_boehm *)
+(* gbt-developable/thm-3.proofref.true *)
 Definition farin_boehm (P1 : Z -> R) (k : Z) (l : Z) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
   P1 k + c k l mu2 nu1 * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (2 * PI ^ 2 * nu1 + c k l mu2 nu1 * (cl l mu2 + 2 * PI ^ 2 * mu2)) * (P1 k - P1 (k - 1)%Z)).
 Definition statement : Prop :=
@@ -597,10 +557,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_proofref_true.
 
 Module sec_5_2_must_families.
-(* gbt-developable/sec-5.2.must.families, Sect. 5.2, sentence before (5.11)
-   printed: when two contagious developable GBT-Bézier surfaces in (5.2) want to reach Farin–Boehm G2 continuity, they must satisfy the following requirements
-   read as: The sentence says what Farin–Boehm G2 continuity of the families is: (5.11), which is what (5.12) says of the planes.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
+(* gbt-developable/sec-5.2.must.families *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -645,10 +602,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End sec_5_2_must_families.
 
 Module sec_5_2_must_surfaces.
-(* gbt-developable/sec-5.2.must.surfaces, Sect. 5.2, sentence before (5.11)
-   printed: when two contagious developable GBT-Bézier surfaces in (5.2) want to reach Farin–Boehm G2 continuity, they must satisfy the following requirements
-   read as: Farin–Boehm G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. A factor rho of all coordinates is enough to refute.
-   stated: H2(0) == H1(1) and H2'(0) == H1'(1) and H2''(0) == H1''(1) *)
+(* gbt-developable/sec-5.2.must.surfaces *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
   (2 <= k)%Z ->
@@ -665,10 +619,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End sec_5_2_must_surfaces.
 
 Module thm_3_proof_implies_families.
-(* gbt-developable/thm-3.proof.implies.families, Sect. 5.2, first sentence of the proof of Theorem 3
-   printed: If H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) want to reach Farin–Boehm G2 continuity, it is essential that H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) fulfil G1 continuity at the joint boundary first, which implies (5.13)
-   read as: G1 continuity is the first two equations of (5.11), which determine (5.13).
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2))*(P1[k] - P1[k-1]) *)
+(* gbt-developable/thm-3.proof.implies.families *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -703,10 +654,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_3_proof_implies_families.
 
 Module thm_3_proof_implies_surfaces.
-(* gbt-developable/thm-3.proof.implies.surfaces, Sect. 5.2, first sentence of the proof of Theorem 3
-   printed: If H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) want to reach Farin–Boehm G2 continuity, it is essential that H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2) fulfil G1 continuity at the joint boundary first, which implies (5.13)
-   read as: G1 continuity is a matter of the surfaces: same generator, same tangent plane along it. A factor rho of all coordinates is enough to refute.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2))*(P1[k] - P1[k-1]) *)
+(* gbt-developable/thm-3.proof.implies.surfaces *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
   (2 <= k)%Z ->

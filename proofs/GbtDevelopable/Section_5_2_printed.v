@@ -166,7 +166,7 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R)
 End sec_5_2_ref_true.
 
 Module sec_5_2_index.
-(* gbt-developable/sec-5.2.index, Sect. 5.2, first paragraph (twice)
+(* gbt-developable/sec-5.2.index, Sect. 5.2, first paragraph
    printed: control planes Q_{i,j} (i = 1, 2, ..., k; j = 1, 2)
    read as: The first family is made of the control planes with these indices.
    stated: H1(x) == sum(i, 1, k, g[i,k](x, mu1, nu1)*P1[i]) *)

@@ -29,10 +29,7 @@ End Definitions.
 Import Definitions.
 
 Module thm_4_consts.
-(* gbt-developable/thm-4.consts, Sect. 5.3, Theorem 4, line after (5.16)
-   printed: c = (2(k−2) + π(1+ν_1))/(2(l−2) + π(1+μ_2)), c_k = 4(k−2)(k−3+π(1+ν_1)), c_l = 4(l−2)(l−3+π(1+μ_2))
-   read as: Compared with the constants that (5.12) and (5.16) are stated with, and c_k, c_l with the factors of (5.15).
-   stated: c == (2*(k - 2) + pi*(1 + nu1))/(2*(l - 2) + pi*(1 + mu2)) and ck == 4*(k - 2)*(k - 3 + pi*(1 + nu1)) and cl == 4*(l - 2)*(l - 3 + pi*(1 + mu2)) and 4*H2''(0) == cl*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) *)
+(* gbt-developable/thm-4.consts *)
 Definition H2 (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) (x : R) : R :=
   sum 0%Z l (fun i => g x mu2 nu2 i l * P2 i).
 Definition statement : Prop :=
@@ -61,9 +58,7 @@ exists (k : Z) (l : Z) (P2 : Z -> R) (mu2 : R) (nu1 : R) (nu2 : R),
 End thm_4_consts.
 
 Module thm_4_a.
-(* gbt-developable/thm-4.a, Sect. 5.3, Theorem 4, eq. (5.16), first line
-   printed: Q_{0,2} = Q_{k,1}
-   stated: P2[0] == P1[k] *)
+(* gbt-developable/thm-4.a *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -90,9 +85,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End thm_4_a.
 
 Module thm_4_b.
-(* gbt-developable/thm-4.b, Sect. 5.3, Theorem 4, eq. (5.16), second line
-   printed: Q_{1,2} = Q_{k,1} + c γ (Q_{k,1} − Q_{k−1,1})
-   stated: P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) *)
+(* gbt-developable/thm-4.b *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -127,9 +120,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End thm_4_b.
 
 Module thm_4_c.
-(* gbt-developable/thm-4.c, Sect. 5.3, Theorem 4, eq. (5.16), third line
-   printed: Q_{2,2} = Q_{k,1} + c γ (Q_{k,1} − Q_{k−1,1}) + 1/(c_l + π²(1−ν_2)) [c_k γ² (Q_{k,1} − 2 Q_{k−1,1} + Q_{k−2,1}) − π² γ² (1−μ_1) × (Q_{k−1,1} − Q_{k−2,1}) + (γ (2π² ν_1 γ + c c_l + 2 c π² μ_2) + λ (k − 2 + π/2 (1+ν_1))) (Q_{k,1} − Q_{k−1,1})]
-   stated: P2[2] == P1[k] + c*gamma*(P1[k] - P1[k-1]) + 1/(cl + pi^2*(1 - nu2))*(ck*gamma^2*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*gamma^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + (gamma*(2*pi^2*nu1*gamma + c*cl + 2*c*pi^2*mu2) + lambda*(k - 2 + pi/2*(1 + nu1)))*(P1[k] - P1[k-1])) *)
+(* gbt-developable/thm-4.c *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -152,9 +143,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End thm_4_c.
 
 Module thm_4_c_corrected.
-(* gbt-developable/thm-4.c (corrected), Sect. 5.3, Theorem 4, eq. (5.16), third line
-   printed: Q_{2,2} = Q_{k,1} + c γ (Q_{k,1} − Q_{k−1,1}) + 1/(c_l + π²(1−ν_2)) [c_k γ² (Q_{k,1} − 2 Q_{k−1,1} + Q_{k−2,1}) − π² γ² (1−μ_1) × (Q_{k−1,1} − Q_{k−2,1}) + (γ (2π² ν_1 γ + c c_l + 2 c π² μ_2) + λ (k − 2 + π/2 (1+ν_1))) (Q_{k,1} − Q_{k−1,1})]
-   stated: P2[2] == P1[k] + c*gamma*(P1[k] - P1[k-1]) + 1/(cl + pi^2*(1 - nu2))*(ck*gamma^2*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*gamma^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + (gamma*(2*pi^2*nu1*gamma + c*cl + 2*c*pi^2*mu2) + 4*(lambda*(k - 2 + pi/2*(1 + nu1))))*(P1[k] - P1[k-1])) *)
+(* gbt-developable/thm-4.c (corrected) *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -197,9 +186,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End thm_4_c_corrected.
 
 Module thm_4_c_true.
-(* gbt-developable/thm-4.c.true, Sect. 5.3, Theorem 4, eq. (5.16), third line
-   printed: The third line of (5.16) with 4λ in place of λ.
-   stated: P2[2] == P1[k] + c*gamma*(P1[k] - P1[k-1]) + 1/(cl + pi^2*(1 - nu2))*(ck*gamma^2*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*gamma^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + (gamma*(2*pi^2*nu1*gamma + c*cl + 2*c*pi^2*mu2) + 4*lambda*(k - 2 + pi/2*(1 + nu1)))*(P1[k] - P1[k-1])) *)
+(* gbt-developable/thm-4.c.true *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -242,10 +229,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End thm_4_c_true.
 
 Module eq_5_17.
-(* gbt-developable/eq-5.17, Sect. 5.3, eq. (5.17)
-   printed: Q_{0,2} = H_2(0, μ_2, ν_2) = H_1(1, μ_1, ν_1) = Q_{k,1};  H'_2(0, μ_2, ν_2) = γ H'_1(1, μ_1, ν_1), γ > 0;  H''_2(0, μ_2, ν_2) = γ² H''_1(1, μ_1, ν_1) + λ H'_1(1, μ_1, ν_1), where γ > 0 and λ are constants
-   read as: The outer equations of the first line, and (5.17) with 'expressions (3.11) and (3.12)' put in, as the proof does.
-   stated: H2(0) == P2[0] and H1(1) == P1[k] and 2*(H2'(0) - gamma*H1'(1)) == (2*(l - 2) + pi*(1 + mu2))*(P2[1] - P2[0]) - gamma*(2*(k - 2) + pi*(1 + nu1))*(P1[k] - P1[k-1]) and 4*(H2''(0) - gamma^2*H1''(1) - lambda*H1'(1)) == cl*(P2[0] - 2*P2[1] + P2[2]) + 2*pi^2*mu2*(P2[0] - P2[1]) - pi^2*(1 - nu2)*(P2[1] - P2[2]) - gamma^2*(ck*(P1[k-2] - 2*P1[k-1] + P1[k]) + pi^2*(1 - mu1)*(P1[k-2] - P1[k-1]) - 2*pi^2*nu1*(P1[k-1] - P1[k])) - 2*lambda*(2*(k - 2) + pi*(1 + nu1))*(P1[k] - P1[k-1]) *)
+(* gbt-developable/eq-5.17 *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -280,10 +264,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End eq_5_17.
 
 Module thm_4_sufficient.
-(* gbt-developable/thm-4.sufficient, Sect. 5.3, Theorem 4, the word 'sufficient'
-   printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
-   read as: λ is a constant that (5.17) leaves open: (5.16) as printed gives (5.17) with λ/4 in place of λ. The common generator, the line of Q_{k-1,1} and Q_{k,1}, is there.
-   stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and H2''(0) == gamma^2*H1''(1) + lambda/4*H1'(1) and P1[k-1] == H2(0) - H2'(0)/(gamma*(k - 2 + pi/2*(1 + nu1))) *)
+(* gbt-developable/thm-4.sufficient *)
 Definition beta (P1 : Z -> R) (gamma : R) (k : Z) (l : Z) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) : R :=
   P1 k + c k l mu2 nu1 * gamma * (P1 k - P1 (k - 1)%Z) + 1 / (cl l mu2 + PI ^ 2 * (1 - nu2)) * (ck k nu1 * gamma ^ 2 * (P1 k - 2 * P1 (k - 1)%Z + P1 (k - 2)%Z) - PI ^ 2 * gamma ^ 2 * (1 - mu1) * (P1 (k - 1)%Z - P1 (k - 2)%Z) + (gamma * (2 * PI ^ 2 * nu1 * gamma + c k l mu2 nu1 * cl l mu2 + 2 * c k l mu2 nu1 * PI ^ 2 * mu2) + lambda * (IZR k - 2 + PI / 2 * (1 + nu1))) * (P1 k - P1 (k - 1)%Z)).
 Definition statement : Prop :=
@@ -336,10 +317,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End thm_4_sufficient.
 
 Module thm_4_necessary_families.
-(* gbt-developable/thm-4.necessary.families, Sect. 5.3, Theorem 4, the word 'necessary'
-   printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
-   read as: G2 beta continuity is (5.17). The constant λ of (5.16) is four times that of (5.17).
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) and P2[2] == at(beta, lambda, 4*lambda) *)
+(* gbt-developable/thm-4.necessary.families *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -386,10 +364,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End thm_4_necessary_families.
 
 Module thm_4_necessary_surfaces.
-(* gbt-developable/thm-4.necessary.surfaces, Sect. 5.3, Theorem 4, the word 'necessary'
-   printed: For a smooth continuous connection among two adjoining developable GBT-Bézier surfaces ... the necessary and sufficient G2 beta continuity requirements are (5.16)
-   read as: G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. The first two lines of (5.16) are stated; a factor rho of all coordinates is enough to refute.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) *)
+(* gbt-developable/thm-4.necessary.surfaces *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
   0 < gamma ->
@@ -412,9 +387,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End thm_4_necessary_surfaces.
 
 Module thm_4_true_necessary.
-(* gbt-developable/thm-4.true.necessary, Sect. 5.3, Theorem 4
-   printed: Two surfaces with the same tangent plane, generator, characteristic point and curvature: what this asks of the control planes, with the constants ρ, γ, s, u and v.
-   stated: P2[0] == rho*P1[k] and P2[1] == rho*P1[k] + rho*gamma*c*(P1[k] - P1[k-1]) + s/kappa2*P1[k] and P2[2] == P2[1] + 1/(cl + pi^2*(1 - nu2))*(rho*gamma^2*(ck*(P1[k] - 2*P1[k-1] + P1[k-2]) - pi^2*(1 - mu1)*(P1[k-1] - P1[k-2]) + 2*pi^2*nu1*(P1[k] - P1[k-1])) + 4*v*kappa1*(P1[k] - P1[k-1]) + 4*u*P1[k] + (cl + 2*pi^2*mu2)*(P2[1] - rho*P1[k])) *)
+(* gbt-developable/thm-4.true.necessary *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R) (u : R) (v : R),
   0 < gamma ->
@@ -463,9 +436,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End thm_4_true_necessary.
 
 Module thm_4_true_sufficient.
-(* gbt-developable/thm-4.true.sufficient, Sect. 5.3, Theorem 4
-   printed: Control planes with constants ρ, γ, s, u and v: the families agree up to the second derivative, a change of speed and a factor.
-   stated: H2(0) == rho*H1(1) and H2'(0) == rho*gamma*H1'(1) + s*H1(1) and H2''(0) == rho*gamma^2*H1''(1) + v*H1'(1) + u*H1(1) *)
+(* gbt-developable/thm-4.true.sufficient *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R) (s : R) (u : R) (v : R),
   0 < gamma ->
@@ -514,9 +485,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End thm_4_true_sufficient.
 
 Module thm_4_true_sheets.
-(* gbt-developable/thm-4.true.sheets, Sect. 5.3, Theorem 4
-   printed: Two surfaces of a G2 join continue each other: there is no cusp.
-   stated: dot(normal(d), JA'(0)) == e1 and e2 == rho*gamma^2*e1 *)
+(* gbt-developable/thm-4.true.sheets *)
 Definition P (d : list R) (dd : list R) (h : list R) (e : R) : list R :=
   vadd (vadd h (vscale e d)) (vscale (e ^ 2 / 2) dd).
 Definition normal (P_ : list R) : list R :=
@@ -565,9 +534,7 @@ exists (d'1 d'2 d'3 d'4 : R) (dd'1 dd'2 dd'3 dd'4 : R) (dd2'1 dd2'2 dd2'3 dd2'4 
 End thm_4_true_sheets.
 
 Module thm_4_true_curvature.
-(* gbt-developable/thm-4.true.curvature, Sect. 5.3, Theorem 4
-   printed: Two surfaces with the same tangent plane, generator and characteristic point: when their curvatures agree.
-   stated: e2 == w*e1 and dot(direction(h2, d2), direction(h2, d2)) == (rho^2*gamma)^2*dot(direction(h, d), direction(h, d)) and dot(normal(h2), normal(h2)) == rho^2*dot(normal(h), normal(h)) *)
+(* gbt-developable/thm-4.true.curvature *)
 Definition P (d : list R) (dd : list R) (h : list R) (e : Z) : list R :=
   vadd (vadd h (vscale (IZR e) d)) (vscale (IZR e ^ 2 / 2) dd).
 Definition P_ (d : list R) (dd : list R) (h : list R) (e : R) : list R :=
@@ -620,10 +587,7 @@ exists (d'1 d'2 d'3 d'4 : R) (d2'1 d2'2 d2'3 d2'4 : R) (dd'1 dd'2 dd'3 dd'4 : R)
 End thm_4_true_curvature.
 
 Module thm_4_proof_must_families.
-(* gbt-developable/thm-4.proof.must.families, Sect. 5.3, first sentence of the proof of Theorem 4
-   printed: To reach G2 beta continuity among H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2), there are some subsequent requirements which must be satisfied at the common boundary
-   read as: The sentence says what G2 beta continuity of the families is: (5.17), which is what (5.16) says of the planes. The constant λ of (5.16) is four times that of (5.17).
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) and P2[2] == at(beta, lambda, 4*lambda) *)
+(* gbt-developable/thm-4.proof.must.families *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -670,10 +634,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End thm_4_proof_must_families.
 
 Module thm_4_proof_must_surfaces.
-(* gbt-developable/thm-4.proof.must.surfaces, Sect. 5.3, first sentence of the proof of Theorem 4
-   printed: To reach G2 beta continuity among H_1(x, μ_1, ν_1) and H_2(x, μ_2, ν_2), there are some subsequent requirements which must be satisfied at the common boundary
-   read as: G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. The first two lines of (5.17) are stated; a factor rho of all coordinates is enough to refute.
-   stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) *)
+(* gbt-developable/thm-4.proof.must.surfaces *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
   0 < gamma ->
@@ -691,10 +652,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End thm_4_proof_must_surfaces.
 
 Module thm_4_proof_establish_families.
-(* gbt-developable/thm-4.proof.establish.families, Sect. 5.3, end of the proof of Theorem 4
-   printed: Hence the three equations of expression (5.16) establish the adequate and essential requirements of G2 beta continuity requirements among two or more developable GBT-Bézier surfaces.
-   read as: G2 beta continuity is (5.17). The constant λ of (5.16) is four times that of (5.17).
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) and P2[2] == at(beta, lambda, 4*lambda) *)
+(* gbt-developable/thm-4.proof.establish.families *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -741,10 +699,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End thm_4_proof_establish_families.
 
 Module thm_4_proof_establish_surfaces.
-(* gbt-developable/thm-4.proof.establish.surfaces, Sect. 5.3, end of the proof of Theorem 4
-   printed: Hence the three equations of expression (5.16) establish the adequate and essential requirements of G2 beta continuity requirements among two or more developable GBT-Bézier surfaces.
-   read as: G2 continuity is a matter of the surfaces: tangent plane, generator, characteristic point and curvature agree. The first two lines of (5.16) are stated; a factor rho of all coordinates is enough to refute.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) *)
+(* gbt-developable/thm-4.proof.establish.surfaces *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (rho : R),
   0 < gamma ->

@@ -25,10 +25,7 @@ End Definitions.
 Import Definitions.
 
 Module alg_5_4_s1.
-(* gbt-developable/alg-5.4.s1, Sect. 5.4, Step 1
-   printed: Preliminary developable GBT-Bézier surface H_1(x; μ_1, ν_1), its control planes Q_{i,1} (i = 0, 1, 2, 3), and shape parameters μ_1, ν_1 can be given openly.
-   read as: Whether (5.17) can be solved for the planes of the second surface does not depend on the first surface: neither its control planes nor its shape parameters occur in the determinant of the equations.
-   stated: D(det(matrix), mu1) == 0 and D(det(matrix), nu1) == 0 and det(matrix) == pi/8*(2 + pi*(1 + mu2))*(4*(1 + mu2) + pi*(1 - nu2)) *)
+(* gbt-developable/alg-5.4.s1 *)
 Definition matrix (P2 : Z -> R) (l : Z) (mu2 : R) (nu2 : R) : list (list R) :=
   [[Derive_n (fun t => H2 (update1 P2 0%Z t) l mu2 nu2 0%Z) 1 (P2 0%Z); Derive_n (fun t => H2 (update1 P2 1%Z t) l mu2 nu2 0%Z) 1 (P2 1%Z); Derive_n (fun t => H2 (update1 P2 2%Z t) l mu2 nu2 0%Z) 1 (P2 2%Z)]; [Derive_n (fun t => let x := 0%Z in Derive_n (fun x_ => H2_ (update1 P2 0%Z t) l mu2 nu2 x_) 1 (IZR x)) 1 (P2 0%Z); Derive_n (fun t => let x_ := 0%Z in Derive_n (fun x__ => H2_ (update1 P2 1%Z t) l mu2 nu2 x__) 1 (IZR x_)) 1 (P2 1%Z); Derive_n (fun t => let x__ := 0%Z in Derive_n (fun x___ => H2_ (update1 P2 2%Z t) l mu2 nu2 x___) 1 (IZR x__)) 1 (P2 2%Z)]; [Derive_n (fun t => let x___ := 0%Z in Derive_n (fun x____ => H2_ (update1 P2 0%Z t) l mu2 nu2 x____) 2 (IZR x___)) 1 (P2 0%Z); Derive_n (fun t => let x____ := 0%Z in Derive_n (fun x_____ => H2_ (update1 P2 1%Z t) l mu2 nu2 x_____) 2 (IZR x____)) 1 (P2 1%Z); Derive_n (fun t => let x_____ := 0%Z in Derive_n (fun x______ => H2_ (update1 P2 2%Z t) l mu2 nu2 x______) 2 (IZR x_____)) 1 (P2 2%Z)]].
 Definition statement : Prop :=
@@ -61,10 +58,7 @@ exists (k : Z) (l : Z) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
 End alg_5_4_s1.
 
 Module alg_5_4_s2_families.
-(* gbt-developable/alg-5.4.s2.families, Sect. 5.4, Step 2
-   printed: Let Q_{k,1} = Q_{0,2}, or in other words, the developable GBT-Bézier surfaces ... have a combined control plane to fulfil the G0 continuity condition.
-   read as: G0 continuity of the families as curves of four coordinates: they have the plane in common.
-   stated: H2(0) == H1(1) *)
+(* gbt-developable/alg-5.4.s2.families *)
 Definition H2 (P2 : Z -> list R) (l : Z) (mu2 : R) (nu2 : R) (x : Z) : list R :=
   vsum 4 0%Z l (fun i => vscale (g (IZR x) mu2 nu2 i l) (P2 i)).
 Definition H1 (P1 : Z -> list R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : list R :=
@@ -103,10 +97,7 @@ exists (k : Z) (l : Z) (P1'1 P1'2 P1'3 P1'4 : Z -> R) (P2'1 P2'2 P2'3 P2'4 : Z -
 End alg_5_4_s2_families.
 
 Module alg_5_4_s2_surfaces.
-(* gbt-developable/alg-5.4.s2.surfaces, Sect. 5.4, Step 2
-   printed: Let Q_{k,1} = Q_{0,2}, or in other words, the developable GBT-Bézier surfaces ... have a combined control plane to fulfil the G0 continuity condition.
-   read as: G0 continuity of the surfaces: the end generators are one line; stated is that they are parallel.
-   stated: cross(direction(H1(1), H1'(1)), direction(H2(0), H2'(0))) == 0 *)
+(* gbt-developable/alg-5.4.s2.surfaces *)
 Definition H1 (P1 : Z -> list R) (k : Z) (mu1 : R) (nu1 : R) (x : Z) : list R :=
   vsum 4 0%Z k (fun i => vscale (g (IZR x) mu1 nu1 i k) (P1 i)).
 Definition H1_ (P1 : Z -> list R) (k : Z) (mu1 : R) (nu1 : R) (x : R) : list R :=
@@ -138,9 +129,7 @@ forall (k : Z) (l : Z) (P1'1 P1'2 P1'3 P1'4 : Z -> R) (P2'1 P2'2 P2'3 P2'4 : Z -
 End alg_5_4_s2_surfaces.
 
 Module alg_5_4_s3.
-(* gbt-developable/alg-5.4.s3, Sect. 5.4, Step 3
-   printed: For any provided values of μ_2, ν_2 and constant γ > 0, the 2nd control plane Q_{1,2} of the developable GBT-Bézier surface H_2(x; μ_2, ν_2) can be calculated from the second equation of (5.16).
-   stated: P2[1] == P1[k] + c*gamma*(P1[k] - P1[k-1]) *)
+(* gbt-developable/alg-5.4.s3 *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -179,10 +168,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (mu1 : R) (mu2 : 
 End alg_5_4_s3.
 
 Module alg_5_4_s4.
-(* gbt-developable/alg-5.4.s4, Sect. 5.4, Step 4
-   printed: From the 3rd equation of (5.16), the control plane Q_{2,2} of the developable GBT-Bézier surface H_2(x; μ_2, ν_2) can be determined on the bases of Step 2 and Step 3 for a defined value of constant λ.
-   read as: The plane of the third equation of (5.16) completes a G2 beta join: (5.17) holds with a constant, which is λ/4.
-   stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and H2''(0) == gamma^2*H1''(1) + lambda/4*H1'(1) *)
+(* gbt-developable/alg-5.4.s4 *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   0 < gamma ->
@@ -233,10 +219,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (gamma : R) (lambda : R) (mu1
 End alg_5_4_s4.
 
 Module alg_5_4_s5.
-(* gbt-developable/alg-5.4.s5, Sect. 5.4, Step 5
-   printed: The last control plane Q_{3,2} of H_2(x; μ_2, ν_2) can be selected openly
-   read as: Q_{3,2} does not occur in the plane and the two derivatives at the joint.
-   stated: coefficients([H2(0), H2'(0), H2''(0)], [P2[3]]) == 0 *)
+(* gbt-developable/alg-5.4.s5 *)
 Definition statement : Prop :=
 forall (k : Z) (l : Z) (P2 : Z -> R) (mu2 : R) (nu2 : R),
   (2 <= k)%Z ->
@@ -259,10 +242,7 @@ exists (k : Z) (l : Z) (P2 : Z -> R) (mu2 : R) (nu2 : R),
 End alg_5_4_s5.
 
 Module alg_5_4_iterate.
-(* gbt-developable/alg-5.4.iterate, Sect. 5.4, last paragraph
-   printed: From iteration of the above steps among two developable GBT-Bézier surfaces, G2 beta smooth continuity can be attained among multiple developable GBT-Bézier surfaces, and it can also be applied on other continuity conditions in the same manners.
-   read as: The steps done twice, with the planes printed in (5.16) for the second surface and again for the third: both joints satisfy (5.17). As printed (5.16) does so with λ/4 for λ. G1 and Farin–Boehm G2 are parts of it.
-   stated: H2(0) == H1(1) and H2'(0) == gamma*H1'(1) and H2''(0) == gamma^2*H1''(1) + lambda/4*H1'(1) and H3(0) == H2(1) and H3'(0) == gamma2*H2'(1) and H3''(0) == gamma2^2*H2''(1) + lambda2/4*H2'(1) *)
+(* gbt-developable/alg-5.4.iterate *)
 Definition c3 (mu3 : R) (nu2 : R) : R :=
   (2 + PI * (1 + nu2)) / (2 + PI * (1 + mu3)).
 Definition H3 (P3 : Z -> R) (mu3 : R) (nu3 : R) (x : Z) : R :=

@@ -51,9 +51,7 @@ End Definitions.
 Import Definitions.
 
 Module ex_5_1_construct.
-(* gbt-developable/ex-5.1.construct, Sect. 5.5, Example 5.1
-   printed: For all spliced surfaces, the last control plane Q_{3,2} is given openly, and the first three control planes are derived from Farin–Boehm G2 continuity conditions.
-   stated: P2[0] == P1[k] and P2[1] == P1[k] + c*(P1[k] - P1[k-1]) and P2[2] == farin_boehm *)
+(* gbt-developable/ex-5.1.construct *)
 Definition cl (l : Z) (mu2 : R) : R :=
   4 * (IZR l - 2) * (IZR l - 3 + PI * (1 + mu2)).
 Definition c (k : Z) (l : Z) (mu2 : R) (nu1 : R) : R :=
@@ -110,10 +108,7 @@ exists (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (nu1 : R)
 End ex_5_1_construct.
 
 Module ex_5_1_shape_shape.
-(* gbt-developable/ex-5.1.shape.shape, Sect. 5.5, Example 5.1
-   printed: These four graphs indicate that without disturbing control planes, the shape of the combined developable GBT-Bézier surface can be simply modified by amending the shape parameters.
-   read as: The family of planes changes with the shape parameters, the control planes fixed.
-   stated: fails(D(N2(x), mu3) == 0) and fails(D(N2(x), nu3) == 0) *)
+(* gbt-developable/ex-5.1.shape.shape *)
 Definition N2 (P2 : Z -> R) (nu3 : R) (mu3 : R) (x : R) : R :=
   sum 0%Z 3%Z (fun i => g x mu3 nu3 i 3%Z * P2 i).
 Definition statement : Prop :=
@@ -156,10 +151,7 @@ exists (k : Z) (l : Z) (P2 : Z -> R) (mu3 : R) (nu3 : R) (x : R),
 End ex_5_1_shape_shape.
 
 Module ex_5_1_shape_combined_surface.
-(* gbt-developable/ex-5.1.shape.combined surface, Sect. 5.5, Example 5.1
-   printed: These four graphs indicate that without disturbing control planes, the shape of the combined developable GBT-Bézier surface can be simply modified by amending the shape parameters.
-   read as: It also stays one combined surface: the control planes fit mu2 and nu2 by (5.11), and (5.11) still holds with other values mu3, nu3.
-   stated: N2(0) == H1(1) and N2'(0) == H1'(1) and N2''(0) == H1''(1) *)
+(* gbt-developable/ex-5.1.shape.combined surface *)
 Definition N2 (P2 : Z -> R) (mu3 : R) (nu3 : R) (x : Z) : R :=
   sum 0%Z 3%Z (fun i => g (IZR x) mu3 nu3 i 3%Z * P2 i).
 Definition statement : Prop :=
@@ -182,9 +174,7 @@ forall (k : Z) (l : Z) (P1 : Z -> R) (P2 : Z -> R) (mu1 : R) (mu2 : R) (mu3 : R)
 End ex_5_1_shape_combined_surface.
 
 Module ex_5_2_Q02.
-(* gbt-developable/ex-5.2.Q02, Sect. 5.5, Example 5.2
-   printed: Q_{0,2} = (0, 20, 10, 400)
-   stated: agrees(B[0], [0, 20, 10, 400]) *)
+(* gbt-developable/ex-5.2.Q02 *)
 Definition statement : Prop :=
 forall (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
   let A := fun i0 => [A'1 i0; A'2 i0; A'3 i0; A'4 i0] in
@@ -207,10 +197,7 @@ exists (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
 End ex_5_2_Q02.
 
 Module ex_5_2_Q12.
-(* gbt-developable/ex-5.2.Q12, Sect. 5.5, Example 5.2
-   printed: Q_{1,2} = (0, 30, 0, 400)
-   read as: 'according to (5.16) (γ = 1, λ = 0)': with these constants (5.17) is (5.11).
-   stated: agrees(B[1], [0, 30, 0, 400]) *)
+(* gbt-developable/ex-5.2.Q12 *)
 Definition statement : Prop :=
 forall (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
   let A := fun i0 => [A'1 i0; A'2 i0; A'3 i0; A'4 i0] in
@@ -235,10 +222,7 @@ exists (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
 End ex_5_2_Q12.
 
 Module ex_5_2_Q22.
-(* gbt-developable/ex-5.2.Q22, Sect. 5.5, Example 5.2
-   printed: Q_{2,2} = (0, 45.708, −35.708, 400)
-   read as: 'according to (5.16) (γ = 1, λ = 0)': with these constants (5.17) is (5.11), and the misprint of (5.16) has no effect.
-   stated: agrees(B[2], [0, 45.708, -35.708, 400]) *)
+(* gbt-developable/ex-5.2.Q22 *)
 Definition statement : Prop :=
 forall (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
   let A := fun i0 => [A'1 i0; A'2 i0; A'3 i0; A'4 i0] in
@@ -265,10 +249,7 @@ exists (A'1 A'2 A'3 A'4 : Z -> R) (B'1 B'2 B'3 B'4 : Z -> R),
 End ex_5_2_Q22.
 
 Module ex_5_2_gamma_one.
-(* gbt-developable/ex-5.2.gamma-one, Sect. 5.5, Example 5.2
-   printed: Figure 18 indicates that a unified merged developable GBT-Bézier surface can be achieved by setting scaling factor γ = 1, unconcerned of modifying the shape parameter
-   read as: The planes Q_{1,2}, Q_{2,2} are recomputed from (5.16) for the changed shape parameters. The parametrised generators (3.7) of both surfaces are the same for the same x1.
-   stated: foot(K2(0), K2'(0)) == foot(K1(1), K1'(1)) and direction(K2(0), K2'(0)) == direction(K1(1), K1'(1)) *)
+(* gbt-developable/ex-5.2.gamma-one *)
 Definition statement : Prop :=
 forall (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
@@ -299,10 +280,7 @@ exists (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2
 End ex_5_2_gamma_one.
 
 Module ex_5_2_gap_surfaces.
-(* gbt-developable/ex-5.2.gap.surfaces, Sect. 5.5, Example 5.2
-   printed: at connection a gap will be achieved on merged developable GBT-Bézier surfaces when γ ≠ 1
-   read as: The surfaces of (3.7), with generators that are lines, do not meet in one line.
-   stated: fails(foot(K2(0), K2'(0)) == foot(K1(1), K1'(1)) and cross(direction(K2(0), K2'(0)), direction(K1(1), K1'(1))) == 0) *)
+(* gbt-developable/ex-5.2.gap.surfaces *)
 Definition statement : Prop :=
 forall (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R),
   let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
@@ -330,10 +308,7 @@ forall (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2
 End ex_5_2_gap_surfaces.
 
 Module ex_5_2_gap_drawn_pieces.
-(* gbt-developable/ex-5.2.gap.drawn pieces, Sect. 5.5, Example 5.2
-   printed: at connection a gap will be achieved on merged developable GBT-Bézier surfaces when γ ≠ 1
-   read as: With generators cut off at the same values of x1 the pieces drawn do not end at the same points.
-   stated: x1*direction(K2(0), K2'(0)) - x1*direction(K1(1), K1'(1)) == x1*(gamma - 1)*direction(K1(1), K1'(1)) and x1*(gamma - 1) != 0 and dot(direction(K1(1), K1'(1)), direction(K1(1), K1'(1))) > 0 and foot(K2(0), K2'(0)) == foot(K1(1), K1'(1)) *)
+(* gbt-developable/ex-5.2.gap.drawn pieces *)
 Definition statement : Prop :=
 forall (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2 : R) (x1 : R),
   let B := fun i0 => [B'1 i0; B'2 i0; B'3 i0; B'4 i0] in
@@ -366,9 +341,7 @@ exists (B'1 B'2 B'3 B'4 : Z -> R) (gamma : R) (mu1 : R) (mu2 : R) (nu1 : R) (nu2
 End ex_5_2_gap_drawn_pieces.
 
 Module ex_5_2_one_line.
-(* gbt-developable/ex-5.2.one-line, Sect. 5.5, Example 5.2
-   printed: The end generators of both surfaces are one line for every γ, and their lengths for one range of x1 are in the ratio γ.
-   stated: foot(K2(0), K2'(0)) == foot(K1(1), K1'(1)) and direction(K2(0), K2'(0)) == gamma*direction(K1(1), K1'(1)) and foot(K1(1), K1'(1)) == [0, 40/3, 40/3] and at(direction(K1(1), K1'(1)), nu1, 1) == [-300*(1 + pi), 0, 0] *)
+(* gbt-developable/ex-5.2.one-line *)
 Definition K1__ (mu1 : R) (nu1 : Z) (x : Z) : list R :=
   vadd (vadd (vadd (vscale (g (IZR x) mu1 (IZR nu1) 0%Z 3%Z) E1_0) (vscale (g (IZR x) mu1 (IZR nu1) 1%Z 3%Z) E1_1)) (vscale (g (IZR x) mu1 (IZR nu1) 2%Z 3%Z) E1_2)) (vscale (g (IZR x) mu1 (IZR nu1) 3%Z 3%Z) E1_3).
 Definition K1___ (mu1 : R) (nu1 : Z) (x : R) : list R :=

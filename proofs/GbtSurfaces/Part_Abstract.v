@@ -15,10 +15,7 @@ End Definitions.
 Import Definitions.
 
 Module abs_basis_a.
-(* gbt-surfaces/abs.basis.a, Abstract, second sentence
-   printed: GBTB basis functions with two shape parameters are derived in explicit expression which satisfied the basic geometric features of the traditional Bernstein basis functions
-   read as: The features of Theorem 1 but the degeneracy, which is a claim of its own: nonnegativity, partition of unity, symmetry for equal shape parameters; and the values at the ends.
-   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z)) == 1 and f[m-k,m](z, mu, mu) == f[k,m](1 - z, mu, mu) and f[0,m](0) == 1 and f[m,m](1) == 1 *)
+(* gbt-surfaces/abs.basis.a *)
 Definition statement : Prop :=
 forall (k : Z) (m : Z) (mu : R) (nu : R) (z : R),
   (0 <= k <= m)%Z ->
@@ -37,10 +34,7 @@ exists (k : Z) (m : Z) (mu : R) (nu : R) (z : R),
 End abs_basis_a.
 
 Module abs_basis_b_name.
-(* gbt-surfaces/abs.basis.b.name, Abstract, second sentence
-   printed: GBTB basis functions with two shape parameters
-   read as: Basis functions are what the field calls the functions with which points are weighted: they sum to one. Two shape parameters, of any values, are in them.
-   stated: sum(k, 0, m, f[k,m](z)) == 1 *)
+(* gbt-surfaces/abs.basis.b.name *)
 Definition statement : Prop :=
 forall (m : Z) (mu : R) (nu : R) (z : R),
   (3 <= m)%Z ->
@@ -59,10 +53,7 @@ exists (m : Z) (mu : R) (nu : R) (z : R),
 End abs_basis_b_name.
 
 Module abs_basis_b_basis.
-(* gbt-surfaces/abs.basis.b.basis, Abstract, second sentence
-   printed: GBTB basis functions with two shape parameters
-   read as: A basis is linearly independent; the shape parameters are all of the range -1 to 1.
-   stated: independent(f) *)
+(* gbt-surfaces/abs.basis.b.basis *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -72,9 +63,7 @@ forall (mu : R) (nu : R) (z : R),
 End abs_basis_b_basis.
 
 Module abs_basis_order_2.
-(* gbt-surfaces/abs.basis.order-2, Abstract, second sentence
-   printed: The functions of order 2 are independent for μ > -1, and by symmetry for ν > -1.
-   stated: c0 == 0 and c1 == 0 and c2 == 0 *)
+(* gbt-surfaces/abs.basis.order-2 *)
 Definition K (c0 : R) (c1 : R) (c2 : R) (mu : R) (nu : R) (z : Z) : R :=
   f (IZR z) mu nu 0%Z 2%Z * c0 + f (IZR z) mu nu 1%Z 2%Z * c1 + f (IZR z) mu nu 2%Z 2%Z * c2.
 Definition K_ (c0 : R) (c1 : R) (c2 : R) (mu : R) (nu : R) (z : R) : R :=
@@ -97,9 +86,7 @@ exists (c0 : R) (c1 : R) (c2 : R) (mu : R) (nu : R),
 End abs_basis_order_2.
 
 Module abs_basis_cubic.
-(* gbt-surfaces/abs.basis.cubic, Abstract, second sentence
-   printed: The functions of order 3 are independent for all shape parameters.
-   stated: c0 == 0 and c1 == 0 and c2 == 0 and c3 == 0 *)
+(* gbt-surfaces/abs.basis.cubic *)
 Definition K (c0 : R) (c1 : R) (c2 : R) (c3 : R) (mu : R) (nu : R) (z : Z) : R :=
   f (IZR z) mu nu 0%Z 3%Z * c0 + f (IZR z) mu nu 1%Z 3%Z * c1 + f (IZR z) mu nu 2%Z 3%Z * c2 + f (IZR z) mu nu 3%Z 3%Z * c3.
 Definition K_ (c0 : R) (c1 : R) (c2 : R) (c3 : R) (mu : R) (nu : R) (z : R) : R :=
@@ -124,9 +111,7 @@ exists (c0 : R) (c1 : R) (c2 : R) (c3 : R) (mu : R) (nu : R),
 End abs_basis_cubic.
 
 Module abs_basis_all.
-(* gbt-surfaces/abs.basis.all, Abstract, second sentence
-   printed: What a curve of order m ≥ 3 is made of: three polynomials, a function of the sine and one of the cosine.
-   stated: F(z) == A + ((1 + mu)*sin(pi/2*z) - mu*sin(pi/2*z)^2)*(B - A) + (1 - (1 + nu)*cos(pi/2*z) + nu*cos(pi/2*z)^2)*(C - B) *)
+(* gbt-surfaces/abs.basis.all *)
 Definition F (Q : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition e (z : R) (i : Z) (k : Z) : R :=
@@ -163,10 +148,7 @@ exists (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
 End abs_basis_all.
 
 Module abs_continuity_a.
-(* gbt-surfaces/abs.continuity.a, Abstract
-   printed: two adjacent GBT-Bézier surfaces segments are connected by higher C2 and C3 continuity constraints
-   read as: A line of parameter z of a surface is a curve, whose control points are combinations of those of the net; such a line of the second patch continues that of the first with three derivatives. Exhibited for every first patch, with a cubic of vanishing shape parameters for the second.
-   stated: at(onF(z), z, 0) == at(F(z), z, 1) and at(D(onF(z), z, 1), z, 0) == at(D(F(z), z, 1), z, 1) and at(D(onF(z), z, 2), z, 0) == at(D(F(z), z, 2), z, 1) and at(D(onF(z), z, 3), z, 0) == at(D(F(z), z, 3), z, 1) *)
+(* gbt-surfaces/abs.continuity.a *)
 Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
 Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
@@ -229,9 +211,7 @@ exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
 End abs_continuity_a.
 
 Module abs_continuity_rows.
-(* gbt-surfaces/abs.continuity.rows, Abstract
-   printed: The derivatives of two patches at their joint are those of Theorem 2 with the lines of the nets for the control points, so two patches join with C1, C2 or C3 if and only if every column of their nets does.
-   stated: second(0) == s(0) and first(1) == r(m) and 2*second'(0) == (2*(n - 2) + pi*(1 + mu1))*(s(1) - s(0)) and 2*first'(1) == (2*(m - 2) + pi*(1 + nu))*(r(m) - r(m - 1)) and 4*second''(0) == a1*(s(2) - s(0)) - (2*a1 - pi^2*(1 - 2*mu1 - nu1))*(s(1) - s(0)) and 4*first''(1) == a2*(r(m) - 2*r(m - 1) + r(m - 2)) - pi^2*(1 - mu)*(r(m - 1) - r(m - 2)) + 2*pi^2*nu*(r(m) - r(m - 1)) and 8*second'''(0) == b1*(s(3) - s(0)) - b3_true*(s(2) - s(0)) + (3*c1 + 6*(n - 2)*pi^2*(1 + 4*mu1 - nu1) - pi^3*(1 + mu1))*(s(1) - s(0)) and 8*first'''(1) == b2_true*(r(m) - 3*r(m - 1) + 3*r(m - 2) - r(m - 3)) + b5_true*(r(m) - 2*r(m - 1) + r(m - 2)) - pi^3*(1 + nu)*(r(m) - r(m - 1)) *)
+(* gbt-surfaces/abs.continuity.rows *)
 Definition second (H : Z -> Z -> R) (N_ : Z) (mu1 : R) (mu2 : R) (n : Z) (nu1 : R) (nu2 : R) (z1 : R) (z : Z) : R :=
   sum 0%Z n (fun k => f (IZR z) mu1 nu1 k n * sum 0%Z N_ (fun l => f z1 mu2 nu2 l N_ * H k l)).
 Definition s (H : Z -> Z -> R) (N_ : Z) (mu2 : R) (nu2 : R) (z1 : R) (k : Z) : R :=

@@ -47,10 +47,7 @@ End Definitions.
 Import Definitions.
 
 Module tab_1_1_proposed.
-(* gbt-surfaces/tab-1.1.proposed, Table 1, row 1, proposed method
-   printed: The GBTB functions are constructed with only two shape parameters.
-   read as: The curve, whose coefficients are the functions of its order, changes with both shape parameters; the formulas (1) and (2) have no other.
-   stated: fails(D(F'(0), mu) == 0) and fails(D(F'(1), nu) == 0) *)
+(* gbt-surfaces/tab-1.1.proposed *)
 Definition F (Q : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
@@ -77,10 +74,7 @@ exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
 End tab_1_1_proposed.
 
 Module tab_1_2_proposed.
-(* gbt-surfaces/tab-1.2.proposed, Table 1, row 2, proposed method
-   printed: Two GBT-Bézier general cylinders can be connected by higher C2 continuity smoothness.
-   read as: Exhibited for every first surface, with a cubic of vanishing shape parameters for the second: the derivatives of the surface across the joint are compared.
-   stated: at(cylinder(onF(z), z1), z, 0) == at(cylinder(F(z), z1), z, 1) and at(D(cylinder(onF(z), z1), z, 1), z, 0) == at(D(cylinder(F(z), z1), z, 1), z, 1) and at(D(cylinder(onF(z), z1), z, 2), z, 0) == at(D(cylinder(F(z), z1), z, 2), z, 1) *)
+(* gbt-surfaces/tab-1.2.proposed *)
 Definition cylinder (V : R) (alpha : R) (C_ : R) (z1 : R) : R :=
   C_ + z1 * alpha * V.
 Definition statement : Prop :=
@@ -117,10 +111,7 @@ exists (m : Z) (Q : Z -> R) (V : R) (alpha : R) (mu : R) (nu : R) (z1 : R),
 End tab_1_2_proposed.
 
 Module tab_1_3_proposed.
-(* gbt-surfaces/tab-1.3.proposed, Table 1, row 3, proposed method
-   printed: Two GBT-Bézier ruled surfaces can be connected by higher Ck (k = 2, 3) continuity constraints.
-   read as: Exhibited for every first surface, with a cubic of vanishing shape parameters for the second: the derivatives of the surface across the joint are compared.
-   stated: at(ruled(onF(z), onG(z), z1), z, 0) == at(ruled(F(z), G(z), z1), z, 1) and at(D(ruled(onF(z), onG(z), z1), z, 1), z, 0) == at(D(ruled(F(z), G(z), z1), z, 1), z, 1) and at(D(ruled(onF(z), onG(z), z1), z, 2), z, 0) == at(D(ruled(F(z), G(z), z1), z, 2), z, 1) and at(D(ruled(onF(z), onG(z), z1), z, 3), z, 0) == at(D(ruled(F(z), G(z), z1), z, 3), z, 1) *)
+(* gbt-surfaces/tab-1.3.proposed *)
 Definition onG (P : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   next m mu nu (P m) (P (m - 1)%Z) (P (m - 2)%Z) (P (m - 3)%Z) z.
 Definition G (P : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
@@ -163,10 +154,7 @@ exists (m : Z) (P : Z -> R) (Q : Z -> R) (mu : R) (nu : R) (z1 : R),
 End tab_1_3_proposed.
 
 Module tab_1_4_proposed.
-(* gbt-surfaces/tab-1.4.proposed, Table 1, row 4, proposed method
-   printed: Two adjacent GBT-Bézier swung surfaces can be connected by higher C2 continuity conditions.
-   read as: Exhibited for every first surface, with a cubic of vanishing shape parameters for the second: the derivatives of the surface across the joint are compared.
-   stated: at(swung(onX(z), onZ(z)), z, 0) == at(swung(FX(z), FZ(z)), z, 1) and at(D(swung(onX(z), onZ(z)), z, 1), z, 0) == at(D(swung(FX(z), FZ(z)), z, 1), z, 1) and at(D(swung(onX(z), onZ(z)), z, 2), z, 0) == at(D(swung(FX(z), FZ(z)), z, 2), z, 1) *)
+(* gbt-surfaces/tab-1.4.proposed *)
 Definition onX (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   next m mu nu (X m) (X (m - 1)%Z) (X (m - 2)%Z) (X (m - 3)%Z) z.
 Definition onZ (Z_ : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
@@ -209,10 +197,7 @@ exists (m : Z) (X : Z -> R) (Z_ : Z -> R) (lambda : R) (mu : R) (nu : R) (u : R)
 End tab_1_4_proposed.
 
 Module tab_1_5_proposed.
-(* gbt-surfaces/tab-1.5.proposed, Table 1, row 5, proposed method
-   printed: Two adjacent GBT-Bézier swept surfaces can be connected by higher C1 and C2 continuity smoothness.
-   read as: Exhibited for every first surface, with a cubic of vanishing shape parameters for the second: the derivatives of the surface across the joint are compared.
-   stated: at(swept(onF(z)), z, 0) == at(swept(F(z)), z, 1) and at(D(swept(onF(z)), z, 1), z, 0) == at(D(swept(F(z)), z, 1), z, 1) and at(D(swept(onF(z)), z, 2), z, 0) == at(D(swept(F(z)), z, 2), z, 1) *)
+(* gbt-surfaces/tab-1.5.proposed *)
 Definition swept (W : R) (C_ : R) : R :=
   C_ + W.
 Definition statement : Prop :=

@@ -13,10 +13,7 @@ End Definitions.
 Import Definitions.
 
 Module sec_1_contrib_1.
-(* gbt-surfaces/sec-1.contrib-1, Sect. 1, contributions, item 1
-   printed: Construction of a tensor product GBT-Bézier surface by a new set of GBTB functions with two shape parameters
-   read as: The tangents of the surface at the corners change with the shape parameters of their direction, two in each.
-   stated: fails(D(Tz0(0), mu) == 0) and fails(D(Tz1end(0), nu) == 0) and fails(D(Tz1(0), mu1) == 0) and fails(D(Tzz1end(0), nu1) == 0) *)
+(* gbt-surfaces/sec-1.contrib-1 *)
 Definition Tz0 (G : Z -> Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (mu : R) (z1 : Z) : R :=
   sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * (let z := 0%Z in Derive_n (fun z_ => sum 0%Z m (fun k => f z_ mu nu k m * G k l)) 1 (IZR z))).
 Definition Tz1end (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu1 : R) (nu : R) (z1 : Z) : R :=
@@ -85,10 +82,7 @@ exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
 End sec_1_contrib_1.
 
 Module sec_1_contrib_2.
-(* gbt-surfaces/sec-1.contrib-2, Sect. 1, contributions, item 2
-   printed: Construction of some computer-based engineering surfaces using GBT-Bézier with shape parameters
-   read as: The tangents of the surfaces change with mu and nu. In the rotation surface u and v are the cosine and the sine of the angle; of the bi-linear surface (16) the boundary z_1 = 0 is taken.
-   stated: fails(D(at(D(cylinder(F(z), z1), z), z, 0), mu) == 0) and fails(D(at(D(cylinder(F(z), z1), z), z, 1), nu) == 0) and fails(D(at(D(ruled(F(z), G(z), z1), z), z, 0), mu) == 0) and fails(D(at(D(ruled(F(z), G(z), z1), z), z, 1), nu) == 0) and fails(D(at(D(swept(F(z)), z), z, 0), mu) == 0) and fails(D(at(D(swept(F(z)), z), z, 1), nu) == 0) and fails(D(at(D(swung(FX(z), FZ(z)), z), z, 0), mu) == 0) and fails(D(at(D(swung(FX(z), FZ(z)), z), z, 1), nu) == 0) and fails(D(at(D([u*FX(z), v*FX(z), FZ(z)], z), z, 0), mu) == 0) and fails(D(at(D([u*FX(z), v*FX(z), FZ(z)], z), z, 1), nu) == 0) and fails(D(at(D(N(z), z), z, 0), mu) == 0) and fails(D(at(D(N(z), z), z, 1), nu) == 0) *)
+(* gbt-surfaces/sec-1.contrib-2 *)
 Definition F (Q : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition cylinder (V : R) (alpha : R) (C_ : R) (z1 : R) : R :=
@@ -247,10 +241,7 @@ exists (m : Z) (n : Z) (N2 : Z -> Z -> R) (P : Z -> R) (Q : Z -> R) (V : R) (W :
 End sec_1_contrib_2.
 
 Module sec_1_contrib_3_by_the_printed_conditions.
-(* gbt-surfaces/sec-1.contrib-3.by the printed conditions, Sect. 1, contributions, item 3
-   printed: The complex computer-based engineering surfaces using GBT-Bézier patches are composed by Ck (k = 1, 2, 3) continuity conditions
-   read as: The compositions are made with Theorem 2 as printed.
-   stated: F1'(0) == F'(1) and F1''(0) == F''(1) and F1'''(0) == F'''(1) *)
+(* gbt-surfaces/sec-1.contrib-3.by the printed conditions *)
 Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
 Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
@@ -306,10 +297,7 @@ forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (n
 End sec_1_contrib_3_by_the_printed_conditions.
 
 Module sec_1_contrib_3_there_are_such_compositions.
-(* gbt-surfaces/sec-1.contrib-3.there are such compositions, Sect. 1, contributions, item 3
-   printed: The complex computer-based engineering surfaces using GBT-Bézier patches are composed by Ck (k = 1, 2, 3) continuity conditions
-   read as: Such compositions can be made: exhibited for every first curve, with a cubic of vanishing shape parameters for the second.
-   stated: at(onF(z), z, 0) == at(F(z), z, 1) and at(D(onF(z), z, 1), z, 0) == at(D(F(z), z, 1), z, 1) and at(D(onF(z), z, 2), z, 0) == at(D(F(z), z, 2), z, 1) and at(D(onF(z), z, 3), z, 0) == at(D(F(z), z, 3), z, 1) *)
+(* gbt-surfaces/sec-1.contrib-3.there are such compositions *)
 Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
 Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=

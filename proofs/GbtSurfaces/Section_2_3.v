@@ -19,10 +19,7 @@ End Definitions.
 Import Definitions.
 
 Module eq_7.
-(* gbt-surfaces/eq-7, Sect. 2.3, Definition 3, eq. (7)
-   printed: T_{m,n}(z,z_1,μ,ν,μ_1,ν_1) = sum_{k=0}^{m} sum_{l=0}^{n} Q_{k,l} f_{k,m}(z) f_{l,n}(z_1), z, z_1 ∈ [0,1]
-   read as: The formula: a curve of curves. The weights of the control points sum to one, so the surface does not depend on the origin.
-   stated: sum(k, 0, m, sum(l, 0, n, G[k,l]*f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1))) == T(z, z1) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 *)
+(* gbt-surfaces/eq-7 *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -51,10 +48,7 @@ exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End eq_7.
 
 Module sec_2_3_features_a.
-(* gbt-surfaces/sec-2.3.features.a, Sect. 2.3, sentence after eq. (7)
-   printed: As the GBT-Bézier surfaces are defined on the bases of GBT-Bézier curves, so they have all the features that the GBT-Bézier curves have.
-   read as: Convex hull and affine invariance: nonnegative weights that sum to one.
-   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 *)
+(* gbt-surfaces/sec-2.3.features.a *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -79,10 +73,7 @@ exists (m : Z) (n : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
 End sec_2_3_features_a.
 
 Module sec_2_3_features_b.
-(* gbt-surfaces/sec-2.3.features.b, Sect. 2.3, sentence after eq. (7)
-   printed: As the GBT-Bézier surfaces are defined on the bases of GBT-Bézier curves, so they have all the features that the GBT-Bézier curves have.
-   read as: End points: the surface interpolates the corners of its net.
-   stated: T(0, 0) == G[0,0] and T(1, 0) == G[m,0] and T(0, 1) == G[0,n] and T(1, 1) == G[m,n] *)
+(* gbt-surfaces/sec-2.3.features.b *)
 Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
   sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * sum 0%Z m (fun k => f (IZR z) mu nu k m * G k l)).
 Definition statement : Prop :=
@@ -115,10 +106,7 @@ exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
 End sec_2_3_features_b.
 
 Module sec_2_3_features_c.
-(* gbt-surfaces/sec-2.3.features.c, Sect. 2.3, sentence after eq. (7)
-   printed: As the GBT-Bézier surfaces are defined on the bases of GBT-Bézier curves, so they have all the features that the GBT-Bézier curves have.
-   read as: The tangents at the corners change with all four shape parameters.
-   stated: fails(D(Tz0(0), mu) == 0) and fails(D(Tz1(0), nu) == 0) and fails(D(Tu0(0), mu1) == 0) and fails(D(Tu1(0), nu1) == 0) *)
+(* gbt-surfaces/sec-2.3.features.c *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
   (2 <= m)%Z ->
@@ -179,10 +167,7 @@ exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
 End sec_2_3_features_c.
 
 Module sec_2_3_features_d.
-(* gbt-surfaces/sec-2.3.features.d, Sect. 2.3, sentence after eq. (7)
-   printed: As the GBT-Bézier surfaces are defined on the bases of GBT-Bézier curves, so they have all the features that the GBT-Bézier curves have.
-   read as: Symmetry: the net in reverse order in one direction, with the parameters of that direction exchanged, gives the same surface, run through backwards.
-   stated: sum(l, 0, n, f[l,n](z1, mu1, nu1)*sum(k, 0, m, f[k,m](z, nu, mu)*G[m-k,l])) == T(1 - z, z1) and sum(l, 0, n, f[l,n](z1, nu1, mu1)*sum(k, 0, m, f[k,m](z, mu, nu)*G[k,n-l])) == T(z, 1 - z1) *)
+(* gbt-surfaces/sec-2.3.features.d *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -213,10 +198,7 @@ exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End sec_2_3_features_d.
 
 Module sec_2_3_classical_the_features_of_Sect__2_2.
-(* gbt-surfaces/sec-2.3.classical.the features of Sect. 2.2, Sect. 2.3, paragraph after eq. (7)
-   printed: The tensor product GBT-Bézier surfaces shares all the properties with classical tensor product Bézier surfaces except for the shape adjustable property which is superior to the properties of classical tensor product Bézier surfaces.
-   read as: The properties are those that Sect. 2.2 lists for curves, but for variation diminution: convex hull, affine invariance, interpolation of the corners, symmetry with the parameters exchanged; and the tangents at the corners change with the shape parameters.
-   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z, mu, nu)*sum(l, 0, n, f[l,n](z1, mu1, nu1))) == 1 and T(0, 0) == G[0,0] and T(1, 0) == G[m,0] and T(0, 1) == G[0,n] and T(1, 1) == G[m,n] and sum(l, 0, n, f[l,n](z1, mu1, nu1)*sum(k, 0, m, f[k,m](z, nu, mu)*G[m-k,l])) == T(1 - z, z1) and fails(D(Tz0(0), mu) == 0) and fails(D(Tz1(0), nu) == 0) and fails(D(Tu0(0), mu1) == 0) and fails(D(Tu1(0), nu1) == 0) *)
+(* gbt-surfaces/sec-2.3.classical.the features of Sect. 2.2 *)
 Definition T (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
   sum 0%Z n (fun l => f (IZR z1) mu1 nu1 l n * sum 0%Z m (fun k => f (IZR z) mu nu k m * G k l)).
 Definition T_ (G : Z -> Z -> R) (m : Z) (mu : R) (mu1 : R) (n : Z) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
@@ -305,10 +287,7 @@ exists (m : Z) (n : Z) (G : Z -> Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End sec_2_3_classical_the_features_of_Sect__2_2.
 
 Module sec_2_3_classical_every_property.
-(* gbt-surfaces/sec-2.3.classical.every property, Sect. 2.3, paragraph after eq. (7)
-   printed: The tensor product GBT-Bézier surfaces shares all the properties with classical tensor product Bézier surfaces except for the shape adjustable property which is superior to the properties of classical tensor product Bézier surfaces.
-   read as: A Bézier surface over an evenly spaced net of a plane has the parameters as coordinates (linear precision).
-   stated: sum(l, 0, n, f[l,n](z1, mu1, nu1)*sum(k, 0, m, f[k,m](z, mu, nu)*[k/m, l/n])) == [z, z1] *)
+(* gbt-surfaces/sec-2.3.classical.every property *)
 Definition statement : Prop :=
 forall (m : Z) (n : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->

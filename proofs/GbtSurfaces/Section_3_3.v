@@ -29,10 +29,7 @@ End Definitions.
 Import Definitions.
 
 Module sec_3_3_generatrix.
-(* gbt-surfaces/sec-3.3.generatrix, Sect. 3.3, first paragraph
-   printed: a ruled surface has an astonishing property that, for fixed z, T(z,z_1) is a line segment joining points b_1(z) and b_2(z)
-   read as: b_1 and b_2 are the guide lines (17), interpolated linearly.
-   stated: S(z, 0) == L0(z) and S(z, 1) == L1(z) and D(S(z, z1), z1, 2) == 0 *)
+(* gbt-surfaces/sec-3.3.generatrix *)
 Definition S_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
   (1 - IZR z1) * L0 A m mu nu z + IZR z1 * L1 B m mu1 nu1 z.
 Definition statement : Prop :=
@@ -57,10 +54,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End sec_3_3_generatrix.
 
 Module sec_3_3_same_degree_literal.
-(* gbt-surfaces/sec-3.3.same-degree.literal, Sect. 3.3, paragraph before eq. (17)
-   printed: The necessary condition to express the ruled surface into tensor product form is that both should have the same degree.
-   read as: Guide lines of degrees that differ never give a tensor product surface. Tried with a cubic of the points P, R, R, W and any quartic, all shape parameters -1.
-   stated: fails((1 - z1)*cubic(z) + z1*quartic(z) == b[0,1](z1)*raised(z) + b[1,1](z1)*quartic(z)) *)
+(* gbt-surfaces/sec-3.3.same-degree.literal *)
 Definition cubic (P : R) (R_ : R) (W : R) (z : R) : R :=
   f z (- 1) (- 1) 0%Z 3%Z * P + f z (- 1) (- 1) 1%Z 3%Z * R_ + f z (- 1) (- 1) 2%Z 3%Z * R_ + f z (- 1) (- 1) 3%Z 3%Z * W.
 Definition quartic (B : Z -> R) (z : R) : R :=
@@ -78,10 +72,7 @@ forall (B : Z -> R) (P : R) (R_ : R) (W : R) (z : R) (z1 : R),
 End sec_3_3_same_degree_literal.
 
 Module sec_3_3_same_degree_in_general.
-(* gbt-surfaces/sec-3.3.same-degree.in general, Sect. 3.3, paragraph before eq. (17)
-   printed: The necessary condition to express the ruled surface into tensor product form is that both should have the same degree.
-   read as: Guide lines of degrees that differ do not in general give one, since a cubic is no quartic with the same shape parameters. Shown for vanishing shape parameters: the ends, the tangents there and a second derivative determine the quartic.
-   stated: fails(cubic(z) == quartic(z)) *)
+(* gbt-surfaces/sec-3.3.same-degree.in general *)
 Definition quartic (C_ : Z -> R) (z : Z) : R :=
   sum 0%Z 4%Z (fun k => f (IZR z) 0 0 k 4%Z * C_ k).
 Definition cubic (A : Z -> R) (z : Z) : R :=
@@ -117,10 +108,7 @@ exists (A : Z -> R) (C_ : Z -> R) (z : R),
 End sec_3_3_same_degree_in_general.
 
 Module eq_17_0.
-(* gbt-surfaces/eq-17.0, Sect. 3.3, eq. (17), first line
-   printed: F_{m,0}(z,μ,ν) = sum_{k=0}^{m} f^0_{k,m}(z) Q_{0,k}, 0 ≤ z ≤ 1
-   read as: The formula, and the ends between which the first boundary of the surface runs.
-   stated: L0(z) == sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) and L0(0) == A[0] and L0(1) == A[m] *)
+(* gbt-surfaces/eq-17.0 *)
 Definition L0_ (A : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z m (fun k => f (IZR z) mu nu k m * A k).
 Definition statement : Prop :=
@@ -139,10 +127,7 @@ exists (m : Z) (A : Z -> R) (mu : R) (nu : R) (z : R),
 End eq_17_0.
 
 Module eq_17_1.
-(* gbt-surfaces/eq-17.1, Sect. 3.3, eq. (17), second line
-   printed: F_{m,1}(z,μ_1,ν_1) = sum_{k=0}^{m} f^1_{k,m}(z) Q_{1,k}, 0 ≤ z ≤ 1
-   read as: The formula, and the ends between which the second boundary of the surface runs.
-   stated: L1(z) == sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) and L1(0) == B[0] and L1(1) == B[m] *)
+(* gbt-surfaces/eq-17.1 *)
 Definition L1_ (B : Z -> R) (m : Z) (mu1 : R) (nu1 : R) (z : Z) : R :=
   sum 0%Z m (fun k => f (IZR z) mu1 nu1 k m * B k).
 Definition statement : Prop :=
@@ -161,10 +146,7 @@ exists (m : Z) (B : Z -> R) (mu1 : R) (nu1 : R) (z : R),
 End eq_17_1.
 
 Module sec_3_3_condition_1.
-(* gbt-surfaces/sec-3.3.condition-1, Sect. 3.3, condition (1) before eq. (18)
-   printed: For fixed value of z, the curve T_ruled(z,z_1) is a line segment.
-   read as: With one set of functions for both guide lines, and with a set for each.
-   stated: D(printed(z, z1), z1, 2) == 0 and D(with_own(z, z1), z1, 2) == 0 *)
+(* gbt-surfaces/sec-3.3.condition-1 *)
 Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition statement : Prop :=
@@ -189,10 +171,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End sec_3_3_condition_1.
 
 Module sec_3_3_condition_2.
-(* gbt-surfaces/sec-3.3.condition-2, Sect. 3.3, condition (2) before eq. (18)
-   printed: The guild lines fulfil the T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1).
-   read as: (18) has one set of functions f_{k,m} for both guide lines.
-   stated: printed(z, 0) == L0(z) and printed(z, 1) == L1(z) *)
+(* gbt-surfaces/sec-3.3.condition-2 *)
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
 Definition statement : Prop :=
@@ -207,10 +186,7 @@ forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End sec_3_3_condition_2.
 
 Module eq_18.
-(* gbt-surfaces/eq-18, Sect. 3.3, eq. (18)
-   printed: T_ruled(z,z_1,μ,ν,μ_1,ν_1) = sum_{l=0}^{1} ( f_{l,1}(z_1) sum_{k=0}^{m} f_{k,m}(z) Q_{l,k} ), 0 ≤ z, z_1 ≤ 1
-   read as: The formula against the linear interpolation of the guide lines (17).
-   stated: printed(z, z1) == S(z, z1) *)
+(* gbt-surfaces/eq-18 *)
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -224,10 +200,7 @@ forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End eq_18.
 
 Module eq_18_corrected.
-(* gbt-surfaces/eq-18 (corrected), Sect. 3.3, eq. (18)
-   printed: T_ruled(z,z_1,μ,ν,μ_1,ν_1) = sum_{l=0}^{1} ( f_{l,1}(z_1) sum_{k=0}^{m} f_{k,m}(z) Q_{l,k} ), 0 ≤ z, z_1 ≤ 1
-   read as: The formula against the linear interpolation of the guide lines (17).
-   stated: b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) == S(z, z1) *)
+(* gbt-surfaces/eq-18 (corrected) *)
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -250,9 +223,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End eq_18_corrected.
 
 Module eq_18_true.
-(* gbt-surfaces/eq-18.true, Sect. 3.3, eq. (18)
-   printed: With a set of functions for each guide line (18) meets both conditions.
-   stated: with_own(z, 0) == L0(z) and with_own(z, 1) == L1(z) and D(with_own(z, z1), z1, 2) == 0 *)
+(* gbt-surfaces/eq-18.true *)
 Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu1 nu1 k m * B k).
 Definition with_own_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
@@ -279,9 +250,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End eq_18_true.
 
 Module eq_18_sufficient.
-(* gbt-surfaces/eq-18.sufficient, Sect. 3.3, eq. (18)
-   printed: As printed it meets them if both guide lines have the same shape parameters.
-   stated: printed(z, 0) == L0(z) and printed(z, 1) == L1(z) and D(printed(z, z1), z1, 2) == 0 *)
+(* gbt-surfaces/eq-18.sufficient *)
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
 Definition printed__ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
@@ -312,9 +281,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End eq_18_sufficient.
 
 Module eq_18_necessary.
-(* gbt-surfaces/eq-18.necessary, Sect. 3.3, eq. (18)
-   printed: How far the printed surface departs from the second guide line at its ends: it contains that line only if μ_1 = μ, or B_1 = B_0, and ν_1 = ν, or B_m = B_{m-1}.
-   stated: at(D(printed(z, 1) - L1(z), z), z, 0) == pi/2*(mu - mu1)*(B[1] - B[0]) and at(D(printed(z, 1) - L1(z), z), z, 1) == pi/2*(nu - nu1)*(B[m] - B[m-1]) *)
+(* gbt-surfaces/eq-18.necessary *)
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
 Definition statement : Prop :=
@@ -335,9 +302,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R),
 End eq_18_necessary.
 
 Module eq_18_defect.
-(* gbt-surfaces/eq-18.defect, Sect. 3.3, eq. (18)
-   printed: What the printed (18) lacks of the surface between the guide lines, for every order.
-   stated: printed(z, z1) - S(z, z1) == z1*((mu - mu1)*sin(pi/2*z)*(1 - sin(pi/2*z))*sum(k, 0, m - 2, e[k,m-2](z)*(B[k+1] - B[k])) - (nu - nu1)*cos(pi/2*z)*(1 - cos(pi/2*z))*sum(k, 0, m - 2, e[k,m-2](z)*(B[k+2] - B[k+1]))) *)
+(* gbt-surfaces/eq-18.defect *)
 Definition e (z : R) (i : Z) (k : Z) : R :=
   basis (1 - z) z [1] i k.
 Definition statement : Prop :=
@@ -364,10 +329,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End eq_18_defect.
 
 Module eq_18_tensor.
-(* gbt-surfaces/eq-18.tensor, Sect. 3.3, sentence after eq. (18)
-   printed: Equation (18) represents the tensor product GBT-Bézier surface in the form of a GBT-Bézier modified ruled surface.
-   read as: (18) has one set of functions f_{k,m} for both guide lines.
-   stated: printed(z, z1) == tensor(z, z1) *)
+(* gbt-surfaces/eq-18.tensor *)
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -386,10 +348,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
 End eq_18_tensor.
 
 Module sec_3_3_benefits_a.
-(* gbt-surfaces/sec-3.3.benefits.a, Sect. 3.3, paragraph after eq. (18)
-   printed: The GBT-Bézier ruled surfaces defined in (18) take over all characteristics and benefits of GBT-Bézier surfaces because these surfaces are expressed in the form of tensor product GBT-Bézier surfaces and the GLs are two GBT-Bézier curves that have the same degree.
-   read as: Convex hull and affine invariance (nonnegative weights that sum to one), interpolation of the corners, change with the shape parameters; with one set of functions for both guide lines, and with a set for each.
-   stated: nonnegative(f) and nonnegative(b) and b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) == 1 and b[0,1](z1)*sum(k, 0, m, f[k,m](z, mu, nu)) + b[1,1](z1)*sum(k, 0, m, f[k,m](z, mu1, nu1)) == 1 and printed(0, 0) == A[0] and printed(1, 0) == A[m] and printed(0, 1) == B[0] and printed(1, 1) == B[m] and with_own(0, 0) == A[0] and with_own(1, 0) == A[m] and with_own(0, 1) == B[0] and with_own(1, 1) == B[m] and fails(D(at(D(printed(z, z1), z), z, 0), mu) == 0) and fails(D(at(D(printed(z, z1), z), z, 1), nu) == 0) and fails(D(at(D(with_own(z, z1), z), z, 0), mu) == 0) and fails(D(at(D(with_own(z, z1), z), z, 1), nu) == 0) and fails(D(at(D(with_own(z, z1), z), z, 0), mu1) == 0) and fails(D(at(D(with_own(z, z1), z), z, 1), nu1) == 0) *)
+(* gbt-surfaces/sec-3.3.benefits.a *)
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : Z) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f (IZR z) mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f (IZR z) mu nu k m * B k).
 Definition with_own (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : Z) (z1 : Z) : R :=
@@ -482,9 +441,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End sec_3_3_benefits_a.
 
 Module prop_3_3_a.
-(* gbt-surfaces/prop-3.3.a, Sect. 3.3, Proposition 3.3, first sentence
-   printed: the straight generatrices of a GBT-Bézier ruled surfaces are the straight lines that are obtained by joining iso-parametric points, instead of joining the same length of an arc of the two GLs
-   stated: S(z, 0) == L0(z) and S(z, 1) == L1(z) and D(S(z, z1), z1, 2) == 0 *)
+(* gbt-surfaces/prop-3.3.a *)
 Definition S_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : Z) : R :=
   (1 - IZR z1) * L0 A m mu nu z + IZR z1 * L1 B m mu1 nu1 z.
 Definition statement : Prop :=
@@ -509,10 +466,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End prop_3_3_a.
 
 Module prop_3_3_b.
-(* gbt-surfaces/prop-3.3.b, Sect. 3.3, Proposition 3.3, second sentence
-   printed: Generally, joining the same length of an arc of any two GLs gives us a different ruled surface.
-   read as: Two straight guide lines of degree 2 with evenly spaced control points: the expressions are the lengths of arc from the start, as parts of the whole, at equal parameters.
-   stated: fails(f[1,2](z, mu, nu)/2 + f[2,2](z, mu, nu) == f[1,2](z, mu1, nu1)/2 + f[2,2](z, mu1, nu1)) *)
+(* gbt-surfaces/prop-3.3.b *)
 Definition statement : Prop :=
 forall (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -537,10 +491,7 @@ exists (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
 End prop_3_3_b.
 
 Module prop_3_4_a.
-(* gbt-surfaces/prop-3.4.a, Sect. 3.3, Proposition 3.4, first sentence
-   printed: the GBT-Bézier ruled surface is a special case of tensor product GBT-Bézier surface
-   read as: (18) has one set of functions f_{k,m} for both guide lines.
-   stated: printed(z, z1) == tensor(z, z1) *)
+(* gbt-surfaces/prop-3.4.a *)
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
   (2 <= m)%Z ->
@@ -559,9 +510,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
 End prop_3_4_a.
 
 Module prop_3_4_a_net.
-(* gbt-surfaces/prop-3.4.a.net, Sect. 3.3, Proposition 3.4, first sentence
-   printed: With a set of functions for each guide line no other net helps: the second guide line of order 2 is no curve with the functions of the first. The net is determined by the ends and one end tangent.
-   stated: fails(line(z) == any(z)) *)
+(* gbt-surfaces/prop-3.4.a.net *)
 Definition any (C_ : Z -> R) (mu : R) (nu : R) (z : Z) : R :=
   sum 0%Z 2%Z (fun k => f (IZR z) mu nu k 2%Z * C_ k).
 Definition line (B : Z -> R) (mu1 : R) (nu1 : R) (z : Z) : R :=
@@ -603,10 +552,7 @@ exists (B : Z -> R) (C_ : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
 End prop_3_4_a_net.
 
 Module prop_3_4_b.
-(* gbt-surfaces/prop-3.4.b, Sect. 3.3, Proposition 3.4, second sentence
-   printed: the two adjacent GBT-Bézier ruled surfaces satisfy C1, C2, and C3 continuity conditions because both GLs of the ruled surfaces satisfy these conditions (see Fig. 10 and Fig. 11)
-   read as: The jump of each derivative of the surface is the interpolation of the jumps of the guide lines, so it vanishes if and only if both of them do.
-   stated: jump(0) == (1 - z1)*jump0(0) + z1*jump1(0) and at(jump(0), z1, 0) == jump0(0) and at(jump(0), z1, 1) == jump1(0) and jump(1) == (1 - z1)*jump0(1) + z1*jump1(1) and at(jump(1), z1, 0) == jump0(1) and at(jump(1), z1, 1) == jump1(1) and jump(2) == (1 - z1)*jump0(2) + z1*jump1(2) and at(jump(2), z1, 0) == jump0(2) and at(jump(2), z1, 1) == jump1(2) and jump(3) == (1 - z1)*jump0(3) + z1*jump1(3) and at(jump(3), z1, 0) == jump0(3) and at(jump(3), z1, 1) == jump1(3) *)
+(* gbt-surfaces/prop-3.4.b *)
 Definition M0 (C_ : Z -> R) (mu2 : R) (n : Z) (nu2 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu2 nu2 k n * C_ k).
 Definition M1 (E_ : Z -> R) (mu3 : R) (n : Z) (nu3 : R) (z : R) : R :=
@@ -659,10 +605,7 @@ exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (C_ : Z -> R) (E_ : Z -> R) (mu
 End prop_3_4_b.
 
 Module alg_3_a.
-(* gbt-surfaces/alg-3.a, Sect. 3.3, Algorithm 3, steps 1 to 5
-   printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw.
-   read as: Steps 2 and 3: the surface (18), with one set of functions for both guide lines, meets the conditions.
-   stated: printed(z, 0) == L0(z) and printed(z, 1) == L1(z) *)
+(* gbt-surfaces/alg-3.a *)
 Definition printed_ (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : Z) : R :=
   b (IZR z1) 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b (IZR z1) 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
 Definition statement : Prop :=
@@ -677,10 +620,7 @@ forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End alg_3_a.
 
 Module alg_3_a_corrected.
-(* gbt-surfaces/alg-3.a (corrected), Sect. 3.3, Algorithm 3, steps 1 to 5
-   printed: 1. Consider any two GLs in the form of GBT-Bézier curves. 2. Use tensor product form of the GBT-Bézier ruled surface as given in (18). 3. The guild lines must satisfy the conditions T_ruled(z,0) = F_{m,0}(z,μ,ν) and T_ruled(z,1) = F_{m,1}(z,μ_1,ν_1). 4. Take the control points Q_{i,j} in a 3D plane according to designer choice. 5. Draw.
-   read as: Steps 2 and 3: the surface (18), with one set of functions for both guide lines, meets the conditions.
-   stated: b[0,1](0)*sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) + b[1,1](0)*sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) == L0(z) and b[0,1](1)*sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) + b[1,1](1)*sum(k, 0, m, f[k,m](z, mu1, nu1)*B[k]) == L1(z) *)
+(* gbt-surfaces/alg-3.a (corrected) *)
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (2 <= m)%Z ->
@@ -701,10 +641,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (
 End alg_3_a_corrected.
 
 Module alg_3_b.
-(* gbt-surfaces/alg-3.b, Sect. 3.3, Algorithm 3, step 6
-   printed: 6. Two adjacent GBT-Bézier ruled surfaces can be connected by C1, C2, and C3 continuity conditions given in Theorem 2.
-   read as: The guide lines are joined with Theorem 2 as printed.
-   stated: other(0) == pair(1) and other'(0) == pair'(1) and other''(0) == pair''(1) and other'''(0) == pair'''(1) *)
+(* gbt-surfaces/alg-3.b *)
 Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
 Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
@@ -783,10 +720,7 @@ forall (m : Z) (n : Z) (B : Z -> R) (E_ : Z -> R) (Q : Z -> R) (Q1 : Z -> R) (mu
 End alg_3_b.
 
 Module ex_3_3_curves.
-(* gbt-surfaces/ex-3.3.curves, Sect. 3.3, Example 3.3, first line
-   printed: Let F_{4,l}(z,μ_1,ν_1) (l = 0, 1) be two GBT-Bézier curves of degree 4 in a 3-dimensional space
-   read as: The two curves, both with the shape parameters mu_1 and nu_1, against the guide lines of (19), which have a pair each; those of the first are mu and nu here.
-   stated: first(z) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*A[k]) and second(z) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*B[k]) *)
+(* gbt-surfaces/ex-3.3.curves *)
 Definition statement : Prop :=
 forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -798,10 +732,7 @@ forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
 End ex_3_3_curves.
 
 Module ex_3_3_curves_corrected.
-(* gbt-surfaces/ex-3.3.curves (corrected), Sect. 3.3, Example 3.3, first line
-   printed: Let F_{4,l}(z,μ_1,ν_1) (l = 0, 1) be two GBT-Bézier curves of degree 4 in a 3-dimensional space
-   read as: The two curves, both with the shape parameters mu_1 and nu_1, against the guide lines of (19), which have a pair each; those of the first are mu and nu here.
-   stated: first(z) == sum(k, 0, 4, f[k,4](z, mu, nu)*A[k]) and second(z) == sum(k, 0, 4, f[k,4](z, mu1, nu1)*B[k]) *)
+(* gbt-surfaces/ex-3.3.curves (corrected) *)
 Definition statement : Prop :=
 forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -820,10 +751,7 @@ exists (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R),
 End ex_3_3_curves_corrected.
 
 Module eq_19.
-(* gbt-surfaces/eq-19, Sect. 3.3, Example 3.3, eq. (19)
-   printed: T_ruled(z,z_1,μ_0,ν_0,μ_1,ν_1) = sum_{l=0}^{1} ( f_{l,1}(z_1) sum_{k=0}^{4} f^l_{k,m}(z) Q_{l,k} ), 0 ≤ z, z_1 ≤ 1
-   read as: The order m of the functions is any, as in (17) and (18); the guide lines, z_1 = 0 and z_1 = 1, are curves of degree 4.
-   stated: sum(k, 0, 4, f[k,m](z, mu, nu)*A[k]) == sum(k, 0, 4, f[k,4](z, mu, nu)*A[k]) *)
+(* gbt-surfaces/eq-19 *)
 Definition statement : Prop :=
 forall (m : Z) (A : Z -> R) (mu : R) (nu : R) (z : R),
   (2 <= m)%Z ->
@@ -834,10 +762,7 @@ forall (m : Z) (A : Z -> R) (mu : R) (nu : R) (z : R),
 End eq_19.
 
 Module eq_19_tensor.
-(* gbt-surfaces/eq-19.tensor, Sect. 3.3, Example 3.3: (19) is introduced as 'from equation (18)'
-   printed: then from equation (18) the equation of the GBT-Bézier ruled surfaces formed by these GBT-Bézier curves as the GLs is given by (19)
-   read as: (19) is (18) for degree 4, with one set of functions for both guide lines.
-   stated: own4(z, z1) == tensor4(z, z1) *)
+(* gbt-surfaces/eq-19.tensor *)
 Definition own4 (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu nu k 4%Z * A k) + b z1 1%Z 1%Z * sum 0%Z 4%Z (fun k => f z mu1 nu1 k 4%Z * B k).
 Definition tensor4 (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
@@ -854,10 +779,7 @@ forall (A : Z -> R) (B : Z -> R) (mu : R) (mu1 : R) (nu : R) (nu1 : R) (z : R) (
 End eq_19_tensor.
 
 Module ex_3_3_gl_0.
-(* gbt-surfaces/ex-3.3.gl-0, Sect. 3.3, Example 3.3, data, first two lines of the brace
-   printed: Q_{1,0} = (1, 0, 4), Q_{0,1} = (2, 0, 8), Q_{0,2} = (4, 0, 8), Q_{0,3} = (5, 0, 4), Q_{0,4} = (6, 0, 8)
-   read as: The first guide line (17), whose points are Q_{0,0} to Q_{0,4}, against the curve of the points as they are labelled here.
-   stated: f[0,4](z, mu, nu)*Q00 + f[1,4](z, mu, nu)*Q01 + f[2,4](z, mu, nu)*Q02 + f[3,4](z, mu, nu)*Q03 + f[4,4](z, mu, nu)*Q04 == f[0,4](z, mu, nu)*Q10 + f[1,4](z, mu, nu)*Q01 + f[2,4](z, mu, nu)*Q02 + f[3,4](z, mu, nu)*Q03 + f[4,4](z, mu, nu)*Q04 *)
+(* gbt-surfaces/ex-3.3.gl-0 *)
 Definition statement : Prop :=
 forall (Q00 : R) (Q01 : R) (Q02 : R) (Q03 : R) (Q04 : R) (Q10 : R) (mu : R) (nu : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -867,10 +789,7 @@ forall (Q00 : R) (Q01 : R) (Q02 : R) (Q03 : R) (Q04 : R) (Q10 : R) (mu : R) (nu 
 End ex_3_3_gl_0.
 
 Module ex_3_3_gl_0_corrected.
-(* gbt-surfaces/ex-3.3.gl-0 (corrected), Sect. 3.3, Example 3.3, data, first two lines of the brace
-   printed: Q_{1,0} = (1, 0, 4), Q_{0,1} = (2, 0, 8), Q_{0,2} = (4, 0, 8), Q_{0,3} = (5, 0, 4), Q_{0,4} = (6, 0, 8)
-   read as: The first guide line (17), whose points are Q_{0,0} to Q_{0,4}, against the curve of the points as they are labelled here.
-   stated: f[0,4](z, mu, nu)*Q00 + f[1,4](z, mu, nu)*Q01 + f[2,4](z, mu, nu)*Q02 + f[3,4](z, mu, nu)*Q03 + f[4,4](z, mu, nu)*Q04 == f[0,4](z, mu, nu)*Q00 + f[1,4](z, mu, nu)*Q01 + f[2,4](z, mu, nu)*Q02 + f[3,4](z, mu, nu)*Q03 + f[4,4](z, mu, nu)*Q04 *)
+(* gbt-surfaces/ex-3.3.gl-0 (corrected) *)
 Definition statement : Prop :=
 forall (Q00 : R) (Q01 : R) (Q02 : R) (Q03 : R) (Q04 : R) (mu : R) (nu : R) (z : R),
   (-1) <= mu <= 1 ->
@@ -885,10 +804,7 @@ exists (Q00 : R) (Q01 : R) (Q02 : R) (Q03 : R) (Q04 : R) (mu : R) (nu : R) (z : 
 End ex_3_3_gl_0_corrected.
 
 Module ex_3_3_gl_1.
-(* gbt-surfaces/ex-3.3.gl-1, Sect. 3.3, Example 3.3, data, last two lines of the brace
-   printed: Q_{0,1} = (1, 6, 4), Q_{1,1} = (2, 6, 0), Q_{1,2} = (4, 6, 0), Q_{1,3} = (6, 6, 4), Q_{1,4} = (7, 6, 2)
-   read as: The second guide line (17), whose points are Q_{1,0} to Q_{1,4}, against the curve of the points as they are labelled here.
-   stated: f[0,4](z, mu1, nu1)*Q10 + f[1,4](z, mu1, nu1)*Q11 + f[2,4](z, mu1, nu1)*Q12 + f[3,4](z, mu1, nu1)*Q13 + f[4,4](z, mu1, nu1)*Q14 == f[0,4](z, mu1, nu1)*Q01 + f[1,4](z, mu1, nu1)*Q11 + f[2,4](z, mu1, nu1)*Q12 + f[3,4](z, mu1, nu1)*Q13 + f[4,4](z, mu1, nu1)*Q14 *)
+(* gbt-surfaces/ex-3.3.gl-1 *)
 Definition statement : Prop :=
 forall (Q01 : R) (Q10 : R) (Q11 : R) (Q12 : R) (Q13 : R) (Q14 : R) (mu1 : R) (nu1 : R) (z : R),
   (-1) <= mu1 <= 1 ->
@@ -898,10 +814,7 @@ forall (Q01 : R) (Q10 : R) (Q11 : R) (Q12 : R) (Q13 : R) (Q14 : R) (mu1 : R) (nu
 End ex_3_3_gl_1.
 
 Module ex_3_3_gl_1_corrected.
-(* gbt-surfaces/ex-3.3.gl-1 (corrected), Sect. 3.3, Example 3.3, data, last two lines of the brace
-   printed: Q_{0,1} = (1, 6, 4), Q_{1,1} = (2, 6, 0), Q_{1,2} = (4, 6, 0), Q_{1,3} = (6, 6, 4), Q_{1,4} = (7, 6, 2)
-   read as: The second guide line (17), whose points are Q_{1,0} to Q_{1,4}, against the curve of the points as they are labelled here.
-   stated: f[0,4](z, mu1, nu1)*Q10 + f[1,4](z, mu1, nu1)*Q11 + f[2,4](z, mu1, nu1)*Q12 + f[3,4](z, mu1, nu1)*Q13 + f[4,4](z, mu1, nu1)*Q14 == f[0,4](z, mu1, nu1)*Q10 + f[1,4](z, mu1, nu1)*Q11 + f[2,4](z, mu1, nu1)*Q12 + f[3,4](z, mu1, nu1)*Q13 + f[4,4](z, mu1, nu1)*Q14 *)
+(* gbt-surfaces/ex-3.3.gl-1 (corrected) *)
 Definition statement : Prop :=
 forall (Q10 : R) (Q11 : R) (Q12 : R) (Q13 : R) (Q14 : R) (mu1 : R) (nu1 : R) (z : R),
   (-1) <= mu1 <= 1 ->
@@ -916,10 +829,7 @@ exists (Q10 : R) (Q11 : R) (Q12 : R) (Q13 : R) (Q14 : R) (mu1 : R) (nu1 : R) (z 
 End ex_3_3_gl_1_corrected.
 
 Module ex_3_3_composite.
-(* gbt-surfaces/ex-3.3.composite, Sect. 3.3, last paragraph of Example 3.3
-   printed: Two adjacent GBT-Bézier ruled surfaces satisfying the C1 and C2 continuity in z direction can be presented in Figs. 10 and 11 with third and fourth degree GBT-Bézier curves taken as GLs of the right and left GBT-Bézier ruled surface, respectively. Figure 12 shows the C3 continuity of two adjacent GBT-Bézier ruled surfaces that have forth degree GBT-Bézier curves as GLs in z direction.
-   read as: The guide lines can join: for every quartic on the left, a cubic on the right joins with C2 and a quartic with C3, exhibited with vanishing shape parameters; the surfaces join with them.
-   stated: cubic(0) == left(1) and cubic'(0) == left'(1) and cubic''(0) == left''(1) and quartic(0) == left(1) and quartic'(0) == left'(1) and quartic''(0) == left''(1) and quartic'''(0) == left'''(1) *)
+(* gbt-surfaces/ex-3.3.composite *)
 Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
 Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=

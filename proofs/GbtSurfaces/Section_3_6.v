@@ -31,10 +31,7 @@ End Definitions.
 Import Definitions.
 
 Module eq_32_matrix.
-(* gbt-surfaces/eq-32.matrix, Sect. 3.6, eq. (32), first line
-   printed: R_rotation(z,φ) = [[cosφ, -sinφ, 0], [sinφ, cos zφ, 0], [0, 0, 1]] F_m(z)
-   read as: The entry in row 2, column 2 is 'cos zφ' in our copy; psi stands for that angle. The matrix is to be that of the rotation by φ about the Z axis.
-   stated: printed == [[cos(phi), -sin(phi), 0], [sin(phi), cos(phi), 0], [0, 0, 1]] *)
+(* gbt-surfaces/eq-32.matrix *)
 Definition statement : Prop :=
 forall (phi : R) (psi : R),
   0 < phi <= 2 * PI ->
@@ -42,10 +39,7 @@ forall (phi : R) (psi : R),
 End eq_32_matrix.
 
 Module eq_32_matrix_corrected.
-(* gbt-surfaces/eq-32.matrix (corrected), Sect. 3.6, eq. (32), first line
-   printed: R_rotation(z,φ) = [[cosφ, -sinφ, 0], [sinφ, cos zφ, 0], [0, 0, 1]] F_m(z)
-   read as: The entry in row 2, column 2 is 'cos zφ' in our copy; psi stands for that angle. The matrix is to be that of the rotation by φ about the Z axis.
-   stated: [[cos(phi), -sin(phi), 0], [sin(phi), cos(phi), 0], [0, 0, 1]] == [[cos(phi), -sin(phi), 0], [sin(phi), cos(phi), 0], [0, 0, 1]] *)
+(* gbt-surfaces/eq-32.matrix (corrected) *)
 Definition statement : Prop :=
 forall (phi : R),
   0 < phi <= 2 * PI ->
@@ -56,9 +50,7 @@ exists (phi : R),
 End eq_32_matrix_corrected.
 
 Module eq_32_components.
-(* gbt-surfaces/eq-32.components, Sect. 3.6, eq. (32), second line
-   printed: = [X_m(z) cosφ, X_m(z) sinφ, Z_m(z)]^T, where F_m(z) = [X_m(z), 0, Z_m(z)]^T, z ∈ [0,1]
-   stated: printed*[FX(z), 0, FZ(z)] == [FX(z)*cos(phi), FX(z)*sin(phi), FZ(z)] *)
+(* gbt-surfaces/eq-32.components *)
 Definition statement : Prop :=
 forall (m : Z) (X : Z -> R) (Z_ : Z -> R) (mu : R) (nu : R) (phi : R) (psi : R) (z : R),
   (2 <= m)%Z ->
@@ -77,9 +69,7 @@ exists (m : Z) (X : Z -> R) (Z_ : Z -> R) (mu : R) (nu : R) (phi : R) (psi : R) 
 End eq_32_components.
 
 Module sec_3_6_rounding_rational.
-(* gbt-surfaces/sec-3.6.rounding.rational, Sect. 3.6, paragraph after eq. (32)
-   printed: The functions of the angle in (32) can be replaced by rational ones: with t = z_1/(1 - z_1) these are (1 - t^2)/(1 + t^2) and 2t/(1 + t^2). The generating line itself is made of sines and cosines.
-   stated: cosine(z1) == ((1 - z1)^2 - z1^2)/((1 - z1)^2 + z1^2) and sine(z1) == 2*z1*(1 - z1)/((1 - z1)^2 + z1^2) *)
+(* gbt-surfaces/sec-3.6.rounding.rational *)
 Definition statement : Prop :=
 forall (z1 : R),
   0 <= z1 <= 1 ->
@@ -94,10 +84,7 @@ exists (z1 : R),
 End sec_3_6_rounding_rational.
 
 Module sec_3_6_revolving.
-(* gbt-surfaces/sec-3.6.revolving, Sect. 3.6, first paragraph
-   printed: Rotation surfaces are created by revolving a curve along a straight line in space with a constant angle.
-   read as: About the Z axis, by (32): each point (x, 0, w) of the generating line keeps its height and its distance from the axis, and is turned by the same angle φ.
-   stated: turned[3] == w and turned[1]^2 + turned[2]^2 == x^2 and turned[1]*x == x^2*cos(phi) and turned[2]*x == x^2*sin(phi) *)
+(* gbt-surfaces/sec-3.6.revolving *)
 Definition turned (phi : R) (w : R) (x : R) : list R :=
   [x * cos phi; x * sin phi; w].
 Definition statement : Prop :=
@@ -110,10 +97,7 @@ exists (phi : R) (w : R) (x : R),
 End sec_3_6_revolving.
 
 Module sec_3_6_plane_generating_line.
-(* gbt-surfaces/sec-3.6.plane.generating line, Sect. 3.6, first paragraph; repeated in Algorithm 6
-   printed: a rotation surface R_rotation can be constructed in the XOZ plane
-   read as: The generating line lies in the plane XOZ, and the plane cuts the surface in it and in its mirror image.
-   stated: (printed*[x, 0, w])[2] == 0 implies x == 0 or sin(phi) == 0 *)
+(* gbt-surfaces/sec-3.6.plane.generating line *)
 Definition statement : Prop :=
 forall (phi : R) (psi : R) (w : R) (x : R),
   0 < phi <= 2 * PI ->
@@ -124,10 +108,7 @@ exists (phi : R) (psi : R) (w : R) (x : R),
 End sec_3_6_plane_generating_line.
 
 Module sec_3_6_plane_surface.
-(* gbt-surfaces/sec-3.6.plane.surface, Sect. 3.6, first paragraph; repeated in Algorithm 6
-   printed: a rotation surface R_rotation can be constructed in the XOZ plane
-   read as: The surface lies in the plane XOZ.
-   stated: [x*cos(phi), x*sin(phi), w][2] == 0 *)
+(* gbt-surfaces/sec-3.6.plane.surface *)
 Definition statement : Prop :=
 forall (phi : R) (w : R) (x : R),
   0 < phi <= 2 * PI ->
@@ -135,10 +116,7 @@ forall (phi : R) (w : R) (x : R),
 End sec_3_6_plane_surface.
 
 Module sec_3_6_c1c2.
-(* gbt-surfaces/sec-3.6.c1c2, Sect. 3.6, first paragraph
-   printed: This portion is especially focused on how to develop a C1 or C2 continuous 3D mathematical model of GBT-Bézier rotation surface by taking a combined GBT-Bézier curve.
-   read as: The jump of each derivative of the surface is the turned jump of the generating lines, so it vanishes with that; c and s are the cosine and the sine of the angle.
-   stated: jump(0) == turned(jumpX(0), jumpZ(0)) and jump(1) == turned(jumpX(1), jumpZ(1)) and jump(2) == turned(jumpX(2), jumpZ(2)) *)
+(* gbt-surfaces/sec-3.6.c1c2 *)
 Definition line2X (X2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
   sum 0%Z n (fun k => f z mu1 nu1 k n * X2 k).
 Definition line2Z (Z2 : Z -> R) (mu1 : R) (n : Z) (nu1 : R) (z : R) : R :=
@@ -171,10 +149,7 @@ exists (m : Z) (n : Z) (X : Z -> R) (X2 : Z -> R) (Z_ : Z -> R) (Z2 : Z -> R) (c
 End sec_3_6_c1c2.
 
 Module eq_33_T.
-(* gbt-surfaces/eq-33.T, Sect. 3.6, Theorem 6, eq. (33), first line
-   printed: T^Z_rotation(z,z_1,μ,ν) = { (1 - 2z_1)/(2z_1^2 - 2z_1 + 1) X_m(z), (2z_1 - 2z_1^2)/(2z_1^2 - 2z_1 + 1) X_m(z), Z_m(z) }
-   read as: A rotation surface of the line (X, 0, Z) about the Z axis: at the parameter at_angle(q), which goes from 0 to 1 with q, the line is turned by πq, counterclockwise.
-   stated: T(x, w, at_angle(q)) == [cos(pi*q)*x, sin(pi*q)*x, w] and at_angle(0) == 0 and at_angle(1) == 1 and 0 <= at_angle(q) <= 1 *)
+(* gbt-surfaces/eq-33.T *)
 Definition statement : Prop :=
 forall (q : R) (w : R) (x : R),
   0 <= q <= 1 ->
@@ -193,10 +168,7 @@ exists (q : R) (w : R) (x : R),
 End eq_33_T.
 
 Module eq_33_Ttilde.
-(* gbt-surfaces/eq-33.Ttilde, Sect. 3.6, Theorem 6, eq. (33), second line
-   printed: T~^Z_rotation(z,z_1,μ,ν) = { (1 - 2z_1)/(2z_1^2 - 2z_1 + 1) X_m(z), - (2z_1 - 2z_1^2)/(2z_1^2 - 2z_1 + 1) X_m(z), Z_m(z) }
-   read as: A rotation surface of the line (X, 0, Z) about the Z axis: at the parameter at_angle(q), which goes from 0 to 1 with q, the line is turned by πq, clockwise.
-   stated: Tm(x, w, at_angle(q)) == [cos(pi*q)*x, -sin(pi*q)*x, w] and at_angle(0) == 0 and at_angle(1) == 1 and 0 <= at_angle(q) <= 1 *)
+(* gbt-surfaces/eq-33.Ttilde *)
 Definition statement : Prop :=
 forall (q : R) (w : R) (x : R),
   0 <= q <= 1 ->
@@ -215,9 +187,7 @@ exists (q : R) (w : R) (x : R),
 End eq_33_Ttilde.
 
 Module eq_33_circle.
-(* gbt-surfaces/eq-33.circle, Sect. 3.6, Theorem 6, eq. (33)
-   printed: the coefficients (1 - 2z_1)/(2z_1^2 - 2z_1 + 1), (2z_1 - 2z_1^2)/(2z_1^2 - 2z_1 + 1) of X_m(z) in (33)
-   stated: ((1 - 2*z1)/(2*z1^2 - 2*z1 + 1))^2 + ((2*z1 - 2*z1^2)/(2*z1^2 - 2*z1 + 1))^2 == 1 and (2*z1 - 2*z1^2)/(2*z1^2 - 2*z1 + 1) >= 0 *)
+(* gbt-surfaces/eq-33.circle *)
 Definition statement : Prop :=
 forall (z1 : R),
   0 <= z1 <= 1 ->
@@ -230,9 +200,7 @@ exists (z1 : R),
 End eq_33_circle.
 
 Module thm_6_symmetric.
-(* gbt-surfaces/thm-6.symmetric, Sect. 3.6, Theorem 6, sentence after eq. (33)
-   printed: T^Z_rotation and T~^Z_rotation are symmetric about the XOZ plane
-   stated: [[1, 0, 0], [0, -1, 0], [0, 0, 1]]*T(x, w, z1) == Tm(x, w, z1) *)
+(* gbt-surfaces/thm-6.symmetric *)
 Definition statement : Prop :=
 forall (w : R) (x : R) (z1 : R),
   0 <= z1 <= 1 ->
@@ -245,10 +213,7 @@ exists (w : R) (x : R) (z1 : R),
 End thm_6_symmetric.
 
 Module thm_6_complete.
-(* gbt-surfaces/thm-6.complete, Sect. 3.6, Theorem 6, sentence after eq. (33)
-   printed: by combining these two terms, we can get a complete GBT-Bézier rotation surface   (the expression for entire rotation surfaces generated by rotating the generating line F_m(z) around Z-axis in one rotation)
-   read as: For every angle πq of a half turn the line is turned by it in the one half, and by the opposite angle in the other: each position of the whole turn once.
-   stated: T(x, w, at_angle(q)) == [cos(pi*q)*x, sin(pi*q)*x, w] and Tm(x, w, at_angle(q)) == [cos(pi*q)*x, -sin(pi*q)*x, w] and 0 <= at_angle(q) <= 1 and D(at_angle(q), q) > 0 *)
+(* gbt-surfaces/thm-6.complete *)
 Definition statement : Prop :=
 forall (q : R) (w : R) (x : R),
   0 <= q <= 1 ->
@@ -265,9 +230,7 @@ exists (q : R) (w : R) (x : R),
 End thm_6_complete.
 
 Module eq_34.
-(* gbt-surfaces/eq-34, Sect. 3.6, Theorem 6, eq. (34)
-   printed: X_m(z) = sum_{k=0}^{m} f_{k,m}(z) X_k, z ∈ [0,1]; Z_m(z) = sum_{l=0}^{m} f_{l,m}(z) Z_l, z ∈ [0,1]
-   stated: sum(k, 0, m, f[k,m](z, mu, nu)*[X[k], 0, Z[k]]) == [sum(k, 0, m, f[k,m](z)*X[k]), 0, sum(l, 0, m, f[l,m](z)*Z[l])] *)
+(* gbt-surfaces/eq-34 *)
 Definition statement : Prop :=
 forall (m : Z) (X : Z -> R) (Z_ : Z -> R) (mu : R) (nu : R) (z : R),
   (2 <= m)%Z ->
@@ -284,10 +247,7 @@ exists (m : Z) (X : Z -> R) (Z_ : Z -> R) (mu : R) (nu : R) (z : R),
 End eq_34.
 
 Module sec_3_6_other_axes.
-(* gbt-surfaces/sec-3.6.other-axes, Sect. 3.6, sentence after the proof of Theorem 6
-   printed: using the same results, we can develop a rotation surface if the generating line and the rotation axis are XOY or YOZ and X-axis or Y-axis, respectively
-   read as: At the parameter of the angle πq a line (X, Y, 0) is turned by it about the X axis, and a line (0, Y, Z) about the Y axis; with the other sign of the sine, back.
-   stated: aboutX(at_angle(q), 1) == [x, cos(pi*q)*y, sin(pi*q)*y] and aboutX(at_angle(q), -1) == [x, cos(pi*q)*y, -sin(pi*q)*y] and aboutY(at_angle(q), 1) == [sin(pi*q)*w, y, cos(pi*q)*w] and aboutY(at_angle(q), -1) == [-sin(pi*q)*w, y, cos(pi*q)*w] and at_angle(0) == 0 and at_angle(1) == 1 *)
+(* gbt-surfaces/sec-3.6.other-axes *)
 Definition aboutX (x : R) (y : R) (t : R) (sign : Z) : list R :=
   [x; cosine t * y; IZR sign * sine t * y].
 Definition aboutY (w : R) (y : R) (t : R) (sign : Z) : list R :=
@@ -310,9 +270,7 @@ exists (q : R) (w : R) (x : R) (y : R),
 End sec_3_6_other_axes.
 
 Module prop_3_8_a_linear.
-(* gbt-surfaces/prop-3.8.a.linear, Sect. 3.6, Proposition 3.8 (a)
-   printed: With 0 ≤ z_1 ≤ φ/π the line is not turned by φ.
-   stated: fails(T(x, w, q) == [cos(pi*q)*x, sin(pi*q)*x, w]) *)
+(* gbt-surfaces/prop-3.8.a.linear *)
 Definition statement : Prop :=
 forall (q : R) (w : R) (x : R),
   0 <= q <= 1 ->
@@ -326,9 +284,7 @@ exists (q : R) (w : R) (x : R),
 End prop_3_8_a_linear.
 
 Module prop_3_8_a_true.
-(* gbt-surfaces/prop-3.8.a.true, Sect. 3.6, Proposition 3.8 (a)
-   printed: For a turn by φ = π q, at most a half turn, the parameter goes from 0 to sin(φ/2)/(sin(φ/2) + cos(φ/2)).
-   stated: T(x, w, at_angle(q)) == [cos(pi*q)*x, sin(pi*q)*x, w] and at_angle(0) == 0 and at_angle(1) == 1 and D(at_angle(q), q) > 0 *)
+(* gbt-surfaces/prop-3.8.a.true *)
 Definition statement : Prop :=
 forall (q : R) (w : R) (x : R),
   0 <= q <= 1 ->
@@ -349,10 +305,7 @@ exists (q : R) (w : R) (x : R),
 End prop_3_8_a_true.
 
 Module prop_3_8_b.
-(* gbt-surfaces/prop-3.8.b, Sect. 3.6, Proposition 3.8 (b)
-   printed: If 0 < φ ≤ 2π, where φ is the rotation angle, we can utilize T^Z_rotation to construct the first half and then utilize T~^Z_rotation to construct the remaining according to the technique in (a), with (2π - φ)/π ≤ z ≤ 1 value range of parameter z.
-   read as: The parameter that is called z here is z_1. The second half begins at the parameter q = (2π - φ)/π, that is φ = π (2 - q): the point of T~ there should be the line turned by φ.
-   stated: Tm(x, w, q) == [cos(pi*(2 - q))*x, sin(pi*(2 - q))*x, w] *)
+(* gbt-surfaces/prop-3.8.b *)
 Definition statement : Prop :=
 forall (q : R) (w : R) (x : R),
   0 <= q <= 1 ->
@@ -361,9 +314,7 @@ forall (q : R) (w : R) (x : R),
 End prop_3_8_b.
 
 Module prop_3_8_b_true.
-(* gbt-surfaces/prop-3.8.b.true, Sect. 3.6, Proposition 3.8 (b)
-   printed: For a turn by φ = π(2 - q) the second half begins at the parameter sin(π q/2)/(sin(π q/2) + cos(π q/2)).
-   stated: Tm(x, w, at_angle(q)) == [cos(pi*(2 - q))*x, sin(pi*(2 - q))*x, w] and at_angle(0) == 0 and at_angle(1) == 1 and D(at_angle(q), q) > 0 *)
+(* gbt-surfaces/prop-3.8.b.true *)
 Definition statement : Prop :=
 forall (q : R) (w : R) (x : R),
   0 <= q <= 1 ->
@@ -384,9 +335,7 @@ exists (q : R) (w : R) (x : R),
 End prop_3_8_b_true.
 
 Module prop_3_8_b_exact.
-(* gbt-surfaces/prop-3.8.b.exact, Sect. 3.6, Proposition 3.8 (b)
-   printed: The printed range is exact for the whole turn, three quarters and a half.
-   stated: Tm(x, w, 0) == [cos(2*pi)*x, sin(2*pi)*x, w] and Tm(x, w, 1/2) == [cos(3/2*pi)*x, sin(3/2*pi)*x, w] and Tm(x, w, 1) == [cos(pi)*x, sin(pi)*x, w] *)
+(* gbt-surfaces/prop-3.8.b.exact *)
 Definition cosine (t : Z) : R :=
   (1 - 2 * IZR t) / (2 * IZR t ^ 2 - 2 * IZR t + 1).
 Definition sine (t : Z) : R :=
@@ -413,10 +362,7 @@ exists (w : R) (x : R),
 End prop_3_8_b_exact.
 
 Module prop_3_9_a_composite_line.
-(* gbt-surfaces/prop-3.9.a.composite line, Sect. 3.6, Proposition 3.9, first sentence
-   printed: From the reality of GBT-Bézier rotation surfaces which have various independent shape parameters, we can generate the desired shape of a rotation surface both locally and globally, by modifying shape control parameters.
-   read as: Of a composite generating line each segment changes with its own shape parameters.
-   stated: fails(D(FX'(0), mu) == 0) and fails(D(FX'(1), nu) == 0) *)
+(* gbt-surfaces/prop-3.9.a.composite line *)
 Definition FX (X : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * X k).
 Definition FX_ (X : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) : R :=
@@ -445,10 +391,7 @@ exists (m : Z) (X : Z -> R) (mu : R) (nu : R),
 End prop_3_9_a_composite_line.
 
 Module prop_3_9_a_one_segment.
-(* gbt-surfaces/prop-3.9.a.one segment, Sect. 3.6, Proposition 3.9, first sentence
-   printed: From the reality of GBT-Bézier rotation surfaces which have various independent shape parameters, we can generate the desired shape of a rotation surface both locally and globally, by modifying shape control parameters.
-   read as: Of one segment a shape parameter changes a part and leaves another: μ the part at its end of the line, and not the point of the parameter 2/3.
-   stated: fails(D(FX'(0), mu) == 0) and at(D(FX(z), mu), z, 2/3) == 0 *)
+(* gbt-surfaces/prop-3.9.a.one segment *)
 Definition FX (X : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * X k).
 Definition statement : Prop :=
@@ -465,10 +408,7 @@ forall (m : Z) (X : Z -> R) (mu : R) (nu : R),
 End prop_3_9_a_one_segment.
 
 Module prop_3_9_b.
-(* gbt-surfaces/prop-3.9.b, Sect. 3.6, Proposition 3.9, second sentence
-   printed: translational and rotation transformation allows us to transfer the GBT-Bézier rotation surfaces in any direction to a particular position
-   read as: Any affine map, rigid motions among them; c and s are the two coefficients of (33).
-   stated: A*[c*FX(z), s*FX(z), FZ(z)] + r == sum(k, 0, m, f[k,m](z, mu, nu)*(A*[c*X[k], s*X[k], Z[k]] + r)) *)
+(* gbt-surfaces/prop-3.9.b *)
 Definition A (c11 : R) (c12 : R) (c13 : R) (c21 : R) (c22 : R) (c23 : R) (c31 : R) (c32 : R) (c33 : R) : list (list R) :=
   [[c11; c12; c13]; [c21; c22; c23]; [c31; c32; c33]].
 Definition statement : Prop :=
@@ -489,10 +429,7 @@ exists (m : Z) (X : Z -> R) (Z_ : Z -> R) (c : R) (c11 : R) (c12 : R) (c13 : R) 
 End prop_3_9_b.
 
 Module alg_6.
-(* gbt-surfaces/alg-6, Sect. 3.6, Algorithm 6
-   printed: 1. Take GBTB functions with shape parameters μ,ν ∈ [-1, 1]. 2. Consider the control points {X_k, 0, Z_k} (k = 0, 1, ..., m) in the 3D plane. 3. Select μ, ν from [-1, 1]. 4. Calculate X_m(z) and Z_m(z) by (34). 5. Substitute into (33). 6. Plot these two functions and join them to obtain GBT-Bézier rotation surfaces in the XOZ plane.
-   read as: Steps 4 to 6: for every point of the line (34) and every angle πq of a half turn one half is the line turned by it, the other the line turned back; together the whole turn.
-   stated: T(FX(z), FZ(z), at_angle(q)) == [cos(pi*q)*FX(z), sin(pi*q)*FX(z), FZ(z)] and Tm(FX(z), FZ(z), at_angle(q)) == [cos(pi*q)*FX(z), -sin(pi*q)*FX(z), FZ(z)] *)
+(* gbt-surfaces/alg-6 *)
 Definition statement : Prop :=
 forall (m : Z) (X : Z -> R) (Z_ : Z -> R) (mu : R) (nu : R) (q : R) (z : R),
   (2 <= m)%Z ->
@@ -515,18 +452,13 @@ exists (m : Z) (X : Z -> R) (Z_ : Z -> R) (mu : R) (nu : R) (q : R) (z : R),
 End alg_6.
 
 Module eq_35.
-(* gbt-surfaces/eq-35, Sect. 3.6, Example 3.6, eq. (35)
-   printed: Q_0 = (4, 0, 15), Q_1 = (0, 0, 13), Q_2 = (0, 0, 10), Q_3 = (10, 0, 5), Q_4 = (4, 0, 0); control points Q_l (1 = 0, 1, 2, 3, 4) in the XOZ plane
-   read as: The index list reads '(1 = 0, 1, 2, 3, 4)' in our copy. Stated: the points lie in the plane XOZ.
-   stated: Q36*[0, 1, 0] == [0, 0, 0, 0, 0] *)
+(* gbt-surfaces/eq-35 *)
 Definition statement : Prop :=
   mvec Q36 [0; 1; 0] = [0; 0; 0; 0; 0].
 End eq_35.
 
 Module ex_3_6_curve.
-(* gbt-surfaces/ex-3.6.curve, Sect. 3.6, Example 3.6, display before eq. (36)
-   printed: F_4(z,μ,ν) = {X_4(z), 0, Z_4(z)} (0 ≤ z ≤ 1)
-   stated: F4(z)[2] == 0 and F4(0) == [4, 0, 15] and F4(1) == [4, 0, 0] *)
+(* gbt-surfaces/ex-3.6.curve *)
 Definition F4_ (mu : R) (nu : R) (z : Z) : list R :=
   vsum 3 0%Z 4%Z (fun k => vscale (f (IZR z) mu nu k 4%Z) (row Q36 (Z.to_nat (k + 1)%Z))).
 Definition statement : Prop :=
@@ -545,10 +477,7 @@ exists (mu : R) (nu : R) (z : R),
 End ex_3_6_curve.
 
 Module eq_36.
-(* gbt-surfaces/eq-36, Sect. 3.6, Example 3.6, eq. (36)
-   printed: T^Z_rotation = { (1 - 2z_1)/(2z_1^2 - 2z_1 + 1) X_4(z), (2z_1 - 2z_1^2)/(2z_1^2 - 2z_1 + 1) X_4(z), Z_4(z) }, T~^Z_rotation = { (1 - 2z_1)/(2z_1^2 - 2z_1 + 1) X_4(z), - (2z_1 - 2z_1^2)/(2z_1^2 - 2z_1 + 1) X_4(z), Z_4(z) }
-   read as: For every angle πq of a half turn one half is the line turned by it, the other the line turned back.
-   stated: T(F4(z)[1], F4(z)[3], at_angle(q)) == [cos(pi*q)*F4(z)[1], sin(pi*q)*F4(z)[1], F4(z)[3]] and Tm(F4(z)[1], F4(z)[3], at_angle(q)) == [cos(pi*q)*F4(z)[1], -sin(pi*q)*F4(z)[1], F4(z)[3]] *)
+(* gbt-surfaces/eq-36 *)
 Definition statement : Prop :=
 forall (mu : R) (nu : R) (q : R) (z : R),
   (-1) <= mu <= 1 ->

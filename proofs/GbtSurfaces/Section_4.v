@@ -15,10 +15,7 @@ End Definitions.
 Import Definitions.
 
 Module abs_features_the_features_of_Sect__2_2.
-(* gbt-surfaces/abs.features.the features of Sect. 2.2, Abstract; repeated in Sect. 4
-   printed: All geometric features of the proposed GBT-Bézier curves and surfaces are similar to the traditional Bézier curves and surfaces, but the shape-adjustment is the additional feature that the traditional Bézier curves and surfaces do not hold
-   read as: The features are those that Sect. 2.2 lists, but for variation diminution, which is a claim of its own: convex hull, affine invariance, end points, symmetry for equal parameters; and the shape changes.
-   stated: nonnegative(f) and sum(k, 0, m, f[k,m](z)) == 1 and F(0) == Q[0] and F(1) == Q[m] and f[m-k,m](z, mu, mu) == f[k,m](1 - z, mu, mu) and fails(D(F'(0), mu) == 0) *)
+(* gbt-surfaces/abs.features.the features of Sect. 2.2 *)
 Definition F_ (Q : Z -> R) (m : Z) (nu : R) (mu : R) (z : R) : R :=
   sum 0%Z m (fun k => f z mu nu k m * Q k).
 Definition statement : Prop :=
@@ -50,10 +47,7 @@ exists (k : Z) (m : Z) (Q : Z -> R) (mu : R) (nu : R) (z : R),
 End abs_features_the_features_of_Sect__2_2.
 
 Module abs_features_every_feature.
-(* gbt-surfaces/abs.features.every feature, Abstract; repeated in Sect. 4
-   printed: All geometric features of the proposed GBT-Bézier curves and surfaces are similar to the traditional Bézier curves and surfaces, but the shape-adjustment is the additional feature that the traditional Bézier curves and surfaces do not hold
-   read as: Every feature of Bézier curves, linear precision among them: evenly spaced points of a segment give the segment with even speed.
-   stated: sum(k, 0, m, b[k,m](z)*k/m) == z and sum(k, 0, m, f[k,m](z, mu, nu)*k/m) == z *)
+(* gbt-surfaces/abs.features.every feature *)
 Definition statement : Prop :=
 forall (m : Z) (mu : R) (nu : R) (z : R),
   (2 <= m)%Z ->
@@ -66,10 +60,7 @@ forall (m : Z) (mu : R) (nu : R) (z : R),
 End abs_features_every_feature.
 
 Module sec_4_six_tensor_with_rotation_surfaces.
-(* gbt-surfaces/sec-4.six-tensor.with rotation surfaces, Sect. 4, first paragraph
-   printed: six different types of tensor product GBT-Bézier engineering surfaces including GBT-Bézier cylinders, GBT-Bézier bilinear surfaces, GBT-Bézier ruled surfaces, GBT-Bézier swung surfaces, GBT-Bézier swept, and GBT-Bézier rotation surfaces are constructed
-   read as: The rotation surface (33) is a tensor product surface: its coefficient is a combination of the functions of order 3 in z_1, determined by values and derivatives at the ends.
-   stated: cosine(z1) == blend(z1) *)
+(* gbt-surfaces/sec-4.six-tensor.with rotation surfaces *)
 Definition blend (k0 : R) (k1 : R) (k2 : R) (k3 : R) (mu1 : R) (nu1 : R) (t : Z) : R :=
   f (IZR t) mu1 nu1 0%Z 3%Z * k0 + f (IZR t) mu1 nu1 1%Z 3%Z * k1 + f (IZR t) mu1 nu1 2%Z 3%Z * k2 + f (IZR t) mu1 nu1 3%Z 3%Z * k3.
 Definition cosine (t : Z) : R :=
@@ -96,10 +87,7 @@ forall (k0 : R) (k1 : R) (k2 : R) (k3 : R) (mu1 : R) (nu1 : R) (z1 : R),
 End sec_4_six_tensor_with_rotation_surfaces.
 
 Module sec_4_six_tensor_without.
-(* gbt-surfaces/sec-4.six-tensor.without, Sect. 4, first paragraph
-   printed: six different types of tensor product GBT-Bézier engineering surfaces including GBT-Bézier cylinders, GBT-Bézier bilinear surfaces, GBT-Bézier ruled surfaces, GBT-Bézier swung surfaces, GBT-Bézier swept, and GBT-Bézier rotation surfaces are constructed
-   read as: As the last sentence of the paragraph says, the rotation surfaces are excepted: cylinder, ruled surface (18) as printed, swung surface, in its first coordinate, which is as the second, and in its third, and swept surface; the bi-linear surface (16) is one by its formula.
-   stated: sum(k, 0, m, (Q[k] + z1*V)*f[k,m](z, mu, nu)) == sum(k, 0, m, sum(l, 0, 1, (Q[k] + l*V)*f[k,m](z, mu, nu)*b[l,1](z1))) and printed18(z, z1) == tensor(z, z1) and sum(k, 0, m, f[k,m](z, mu, nu)*X[k])*sum(l, 0, n, f[l,n](z1, mu1, nu1)*U[l]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*X[k]*U[l])) and sum(k, 0, m, f[k,m](z, mu, nu)*Z[k]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*Z[k])) and sum(l, 0, n, f[l,n](z1, mu1, nu1)*B[l]) + sum(k, 0, m, f[k,m](z, mu, nu)*A[k]) == sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) *)
+(* gbt-surfaces/sec-4.six-tensor.without *)
 Definition printed18 (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
 Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
@@ -138,10 +126,7 @@ exists (m : Z) (n : Z) (A : Z -> R) (B : Z -> R) (Q : Z -> R) (U : Z -> R) (V : 
 End sec_4_six_tensor_without.
 
 Module sec_4_composite_by_the_printed_conditions.
-(* gbt-surfaces/sec-4.composite.by the printed conditions, Sect. 4, first paragraph
-   printed: the construction of composite GBT-Bézier surfaces with C1, C2, and C3 continuous connection is also presented
-   read as: The compositions are made with Theorem 2 as printed.
-   stated: F1'(0) == F'(1) and F1''(0) == F''(1) and F1'''(0) == F'''(1) *)
+(* gbt-surfaces/sec-4.composite.by the printed conditions *)
 Definition a (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
   (2 * (IZR m - 2) + PI * (1 + nu)) / (2 * (IZR n - 2) + PI * (1 + mu1)).
 Definition printed11 (Q : Z -> R) (m : Z) (mu1 : R) (n : Z) (nu : R) : R :=
@@ -197,10 +182,7 @@ forall (m : Z) (n : Z) (Q : Z -> R) (Q1 : Z -> R) (mu : R) (mu1 : R) (nu : R) (n
 End sec_4_composite_by_the_printed_conditions.
 
 Module sec_4_composite_there_are_such_compositions.
-(* gbt-surfaces/sec-4.composite.there are such compositions, Sect. 4, first paragraph
-   printed: the construction of composite GBT-Bézier surfaces with C1, C2, and C3 continuous connection is also presented
-   read as: Such compositions can be made: exhibited for every first curve, with a cubic of vanishing shape parameters for the second.
-   stated: at(next(Q[m], Q[m-1], Q[m-2], Q[m-3], z), z, 0) == at(F(z), z, 1) and at(D(next(Q[m], Q[m-1], Q[m-2], Q[m-3], z), z, 1), z, 0) == at(D(F(z), z, 1), z, 1) and at(D(next(Q[m], Q[m-1], Q[m-2], Q[m-3], z), z, 2), z, 0) == at(D(F(z), z, 2), z, 1) and at(D(next(Q[m], Q[m-1], Q[m-2], Q[m-3], z), z, 3), z, 0) == at(D(F(z), z, 3), z, 1) *)
+(* gbt-surfaces/sec-4.composite.there are such compositions *)
 Definition a1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
   4 * (IZR n - 2) * (IZR n - 3 + PI * (1 + IZR mu1)) + PI ^ 2 * (1 - IZR nu1).
 Definition b1 (n : Z) (nu1 : Z) (mu1 : Z) : R :=
@@ -261,10 +243,7 @@ exists (m : Z) (Q : Z -> R) (mu : R) (nu : R),
 End sec_4_composite_there_are_such_compositions.
 
 Module sec_4_tensor.
-(* gbt-surfaces/sec-4.tensor, Sect. 4, first paragraph, last sentence
-   printed: These special engineering surfaces not only have some parameters for their shape control but can also be expressed in terms of tensor product GBT-Bézier surface design (excluding rotation surfaces).
-   read as: Of the classes that are not excluded the ruled surface is examined: (18) has one set of functions f_{k,m} for both guide lines.
-   stated: printed18(z, z1) == tensor(z, z1) *)
+(* gbt-surfaces/sec-4.tensor *)
 Definition printed18 (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
   b z1 0%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * A k) + b z1 1%Z 1%Z * sum 0%Z m (fun k => f z mu nu k m * B k).
 Definition tensor (A : Z -> R) (B : Z -> R) (m : Z) (mu : R) (nu : R) (z : R) (z1 : R) : R :=
@@ -291,10 +270,7 @@ exists (m : Z) (A : Z -> R) (B : Z -> R) (mu : R) (nu : R) (z : R) (z1 : R),
 End sec_4_tensor.
 
 Module sec_4_convex_hull.
-(* gbt-surfaces/sec-4.convex-hull, Sect. 4, second paragraph
-   printed: the designed GBT-Bézier surfaces can approach their convex hull better than the traditional Bézier surfaces approaches
-   read as: They can: exhibited with all shape parameters 1 in the middle, where the inner control points have more weight than in the Bézier curve and surface of the same net: curves of degrees 2 and 3, surfaces of degrees (2, 2) and (3, 3).
-   stated: f[0,2](1/2, 1, 1) < b[0,2](1/2) and f[2,2](1/2, 1, 1) < b[2,2](1/2) and f[1,2](1/2, 1, 1) > b[1,2](1/2) and f[1,3](1/2, 1, 1) + f[2,3](1/2, 1, 1) > b[1,3](1/2) + b[2,3](1/2) and f[1,2](1/2, 1, 1)^2 > b[1,2](1/2)^2 and (f[1,3](1/2, 1, 1) + f[2,3](1/2, 1, 1))^2 > (b[1,3](1/2) + b[2,3](1/2))^2 *)
+(* gbt-surfaces/sec-4.convex-hull *)
 Definition statement : Prop :=
   f (1 / 2) 1 1 0%Z 2%Z < b (1 / 2) 0%Z 2%Z /\ f (1 / 2) 1 1 2%Z 2%Z < b (1 / 2) 2%Z 2%Z /\ f (1 / 2) 1 1 1%Z 2%Z > b (1 / 2) 1%Z 2%Z /\ f (1 / 2) 1 1 1%Z 3%Z + f (1 / 2) 1 1 2%Z 3%Z > b (1 / 2) 1%Z 3%Z + b (1 / 2) 2%Z 3%Z /\ f (1 / 2) 1 1 1%Z 2%Z ^ 2 > b (1 / 2) 1%Z 2%Z ^ 2 /\ (f (1 / 2) 1 1 1%Z 3%Z + f (1 / 2) 1 1 2%Z 3%Z) ^ 2 > (b (1 / 2) 1%Z 3%Z + b (1 / 2) 2%Z 3%Z) ^ 2.
 End sec_4_convex_hull.

@@ -33,10 +33,7 @@ End Definitions.
 Import Definitions.
 
 Module abs_construct_a.
-(* hermite-developable/abs.construct.a, Abstract, second and last-but-one sentences
-   printed: this paper introduces the construction of cubic, quartic, and quintic developable Hermite surfaces with their boundary curves placed in two parallel and oblique planes
-   read as: cubic patches between parallel planes, by the system (3.5): q has free data in a plane x = h, p is solved for
-   stated: q3'(u)[1] == 0 and p3'(u)[1] == 0 and det([p3'(u), q3'(u), q3(u) - p3(u)]) == 0 *)
+(* hermite-developable/abs.construct.a *)
 Definition q0 (h : R) (y0 : R) (z0 : R) : list R :=
   [h; y0; z0].
 Definition q1 (h : R) (y1 : R) (z1 : R) : list R :=
@@ -117,10 +114,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (h : R) (k : R) (o'1 o'2 o'3 : R) (p0'1
 End abs_construct_a.
 
 Module abs_construct_b.
-(* hermite-developable/abs.construct.b, Abstract, second and last-but-one sentences
-   printed: this paper introduces the construction of cubic, quartic, and quintic developable Hermite surfaces with their boundary curves placed in two parallel and oblique planes
-   read as: quartic patches between parallel planes, by the system (3.6): the given data of q are in a plane x = h, those of p in a plane x = l, the rest is solved for
-   stated: q4'(u)[1] == 0 and p4'(u)[1] == 0 and det([p4'(u), q4'(u), q4(u) - p4(u)]) == 0 *)
+(* hermite-developable/abs.construct.b *)
 Definition quartic (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : Z) : R :=
   A * IZR u ^ 4 + B * IZR u ^ 3 + C_ * IZR u ^ 2 + E_ * IZR u + F.
 Definition quartic_ (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (u : R) : R :=
@@ -201,10 +195,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (h : R) (k : R) (l : R) (o'1 o'
 End abs_construct_b.
 
 Module abs_construct_c.
-(* hermite-developable/abs.construct.c, Abstract, second and last-but-one sentences
-   printed: this paper introduces the construction of cubic, quartic, and quintic developable Hermite surfaces with their boundary curves placed in two parallel and oblique planes
-   read as: quintic patches between parallel planes, by the system (3.7): the given data of q are in a plane x = h, those of p in a plane x = l, the rest is solved for
-   stated: q5'(u)[1] == 0 and p5'(u)[1] == 0 and det([p5'(u), q5'(u), q5(u) - p5(u)]) == 0 *)
+(* hermite-developable/abs.construct.c *)
 Definition pu (y6 : R) (z6 : R) : list R :=
   [0; y6; z6].
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (qm : list R) (qu : list R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
@@ -281,10 +272,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R)
 End abs_construct_c.
 
 Module abs_construct_d.
-(* hermite-developable/abs.construct.d, Abstract, second sentence
-   printed: this paper introduces the construction of cubic, quartic, and quintic developable Hermite surfaces with their boundary curves placed in two parallel and oblique planes
-   read as: patches between oblique planes, by the construction of Sect. 4; decided on the example of that section, with its first plane
-   stated: det([p5'(u), r5'(u), r5(u) - p5(u)]) == 0 *)
+(* hermite-developable/abs.construct.d *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition qm : list R :=

@@ -51,9 +51,7 @@ End Definitions.
 Import Definitions.
 
 Module def_3_1.
-(* hermite-developable/def-3.1, Sect. 3, Definition 3.1
-   printed: A regular ruled surface R(u,v) is a surface constructed by a one parameter of lines R(u,v) = p(u) + v . g(u) with p(u) and g(u) of class C^n and [(p'(u) + v . g'(u)) /\ g(u)] != 0
-   stated: D(ruled(u, v), v, 2) == 0 and ruled(u, 0) == p(u) *)
+(* hermite-developable/def-3.1 *)
 Definition ruled_ (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (g0 : list R) (g1 : list R) (g2 : list R) (g3 : list R) (g4 : list R) (g5 : list R) (u : R) (v : Z) : list R :=
   vadd (p a0 a1 a2 a3 a4 a5 u) (vscale (IZR v) (g g0 g1 g2 g3 g4 g5 u)).
 Definition statement : Prop :=
@@ -90,10 +88,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
 End def_3_1.
 
 Module def_3_1_normal.
-(* hermite-developable/def-3.1.normal, Sect. 3, Definition 3.1, the vector that must not vanish
-   printed: [(p'(u) + v . g'(u)) /\ g(u)] != 0
-   read as: the vector that must not vanish is the normal vector of R: the vector product of its derivatives by u and by v
-   stated: cross(D(ruled(u, v), u), D(ruled(u, v), v)) == cross(p'(u) + v*g'(u), g(u)) *)
+(* hermite-developable/def-3.1.normal *)
 Definition statement : Prop :=
 forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (g0'1 g0'2 g0'3 : R) (g1'1 g1'2 g1'3 : R) (g2'1 g2'2 g2'3 : R) (g3'1 g3'2 g3'3 : R) (g4'1 g4'2 g4'3 : R) (g5'1 g5'2 g5'3 : R) (u : R) (v : R),
   let a0 := [a0'1; a0'2; a0'3] in
@@ -128,9 +123,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
 End def_3_1_normal.
 
 Module def_3_2.
-(* hermite-developable/def-3.2, Sect. 3, Definition 3.2
-   printed: The ruled surface R(u,v) = p(u) + v.g is developable, if the tangent plane along each generatrix is constant that is the vectors [g'(u), p'(u), g] are coplanar
-   stated: cross(normal(v), normal(w)) == (v - w)*det([dg, dp, ruling])*ruling *)
+(* hermite-developable/def-3.2 *)
 Definition normal (dg : list R) (dp : list R) (ruling : list R) (v : R) : list R :=
   cross (vadd dp (vscale v dg)) ruling.
 Definition statement : Prop :=
@@ -142,9 +135,7 @@ forall (dg'1 dg'2 dg'3 : R) (dp'1 dp'2 dp'3 : R) (ruling'1 ruling'2 ruling'3 : R
 End def_3_2.
 
 Module def_3_2_lincomb.
-(* hermite-developable/def-3.2.lincomb, Sect. 3, paragraph after Definition 3.2
-   printed: R(u,v) is developable if the vector g'(u) can be presented in linear combination of the vectors p'(u) and g(u) such that g'(u) = alpha(u) p'(u) + beta(u) g(u) with alpha(u) and beta(u) of real scalars
-   stated: det([alpha*dp + beta*ruling, dp, ruling]) == 0 *)
+(* hermite-developable/def-3.2.lincomb *)
 Definition statement : Prop :=
 forall (alpha : R) (beta : R) (dp'1 dp'2 dp'3 : R) (ruling'1 ruling'2 ruling'3 : R),
   let dp := [dp'1; dp'2; dp'3] in
@@ -153,9 +144,7 @@ forall (alpha : R) (beta : R) (dp'1 dp'2 dp'3 : R) (ruling'1 ruling'2 ruling'3 :
 End def_3_2_lincomb.
 
 Module sec_3_g_boundary.
-(* hermite-developable/sec-3.g-boundary, Sect. 3, paragraph before (3.1)
-   printed: g(u) = q(u) - p(u)
-   stated: ruled(u, 1) == q(u) and ruled(u, v) == (1 - v)*p(u) + v*q(u) *)
+(* hermite-developable/sec-3.g-boundary *)
 Definition g (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
   vsub (q b0 b1 b2 b3 b4 b5 u) (p a0 a1 a2 a3 a4 a5 u).
 Definition ruled (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) (v : Z) : list R :=
@@ -196,9 +185,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
 End sec_3_g_boundary.
 
 Module sec_3_g_prime.
-(* hermite-developable/sec-3.g-prime, Sect. 3, formula in the text just before (3.1)
-   printed: g'(u) = [alpha(u) + 1] p'(u) + beta(u) g(u)
-   stated: (alpha + 1)*dp + beta*ruling == dg *)
+(* hermite-developable/sec-3.g-prime *)
 Definition statement : Prop :=
 forall (alpha : R) (beta : R) (dg'1 dg'2 dg'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (ruling'1 ruling'2 ruling'3 : R),
   let dg := [dg'1; dg'2; dg'3] in
@@ -211,9 +198,7 @@ forall (alpha : R) (beta : R) (dg'1 dg'2 dg'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq
 End sec_3_g_prime.
 
 Module sec_3_g_prime_corrected.
-(* hermite-developable/sec-3.g-prime (corrected), Sect. 3, formula in the text just before (3.1)
-   printed: g'(u) = [alpha(u) + 1] p'(u) + beta(u) g(u)
-   stated: (alpha + 1)*dp + beta*ruling == dq *)
+(* hermite-developable/sec-3.g-prime (corrected) *)
 Definition statement : Prop :=
 forall (alpha : R) (beta : R) (dg'1 dg'2 dg'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (ruling'1 ruling'2 ruling'3 : R),
   let dg := [dg'1; dg'2; dg'3] in
@@ -234,9 +219,7 @@ exists (alpha : R) (beta : R) (dg'1 dg'2 dg'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq
 End sec_3_g_prime_corrected.
 
 Module eq_3_1.
-(* hermite-developable/eq-3.1, Sect. 3, eq. (3.1)
-   printed: q'(u) = rho(u) p'(u) + beta(u) g(u), with rho(u) and beta(u) of real scalars
-   stated: dq == rho*dp + beta*ruling and det([rho*dp + beta*ruling - dp, dp, ruling]) == 0 *)
+(* hermite-developable/eq-3.1 *)
 Definition rho (alpha : R) : R :=
   alpha + 1.
 Definition statement : Prop :=
@@ -259,10 +242,7 @@ exists (alpha : R) (beta : R) (dg'1 dg'2 dg'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq
 End eq_3_1.
 
 Module eq_3_1_must.
-(* hermite-developable/eq-3.1.must, Sect. 3, sentence before (3.1)
-   printed: Consequently, this developable criteria of the surface R(u,v) must be [...] q'(u) = rho(u) p'(u) + beta(u) g(u)
-   read as: on a regular surface: the vector of Definition 3.1 does not vanish at v = 0
-   stated: dq == rho*dp + beta*ruling + det([dp, ruling, dq])/dot(normal, normal)*normal *)
+(* hermite-developable/eq-3.1.must *)
 Definition normal (dp : list R) (ruling : list R) : list R :=
   cross dp ruling.
 Definition rho (dp : list R) (dq : list R) (ruling : list R) : R :=
@@ -285,10 +265,7 @@ exists (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (ruling'1 ruling'2 ruling'3 : R
 End eq_3_1_must.
 
 Module eq_3_1_types_a.
-(* hermite-developable/eq-3.1.types.a, Sect. 3, first sentence after (3.1)
-   printed: In general, Equation 3.1 defines the developable surfaces of the cylinder, cone, or tangent lines surface types
-   read as: first half: curves on a cylinder, a cone, a tangent surface satisfy (3.1)
-   stated: d_cylinder == dp + dlam/lam*(cylinder - P) and d_cone == lam*dp + dlam/(lam - 1)*(cone - P) and d_second == mu/lam*d_first + (1 + dmu - mu/lam*(1 + dlam))/(mu - lam)*(second - first) *)
+(* hermite-developable/eq-3.1.types.a *)
 Definition d_cylinder (c : list R) (dlam : R) (dp : list R) : list R :=
   vadd dp (vscale dlam c).
 Definition cylinder (P : list R) (c : list R) (lam : R) : list R :=
@@ -333,10 +310,7 @@ exists (P'1 P'2 P'3 : R) (c'1 c'2 c'3 : R) (ddp'1 ddp'2 ddp'3 : R) (dlam : R) (d
 End eq_3_1_types_a.
 
 Module eq_3_1_types_b.
-(* hermite-developable/eq-3.1.types.b, Sect. 3, first sentence after (3.1)
-   printed: In general, Equation 3.1 defines the developable surfaces of the cylinder, cone, or tangent lines surface types
-   read as: second half: what (3.1) defines is of these types; 'in general' leaves patches aside that change their type. With g = q - p, g' = (rho - 1) p' + beta g, and the point e = ((rho - 1) p - g)/(rho - 1) of the generatrix, in homogeneous coordinates
-   stated: weight*d_point - drho*point == (drho - weight*beta)*ruling and at(dg, rho, 1) == beta*ruling *)
+(* hermite-developable/eq-3.1.types.b *)
 Definition weight (rho : R) : R :=
   rho - 1.
 Definition dg (beta : R) (dp : list R) (rho : R) (ruling : list R) : list R :=
@@ -356,9 +330,7 @@ forall (P'1 P'2 P'3 : R) (beta : R) (dp'1 dp'2 dp'3 : R) (drho : R) (rho : R) (r
 End eq_3_1_types_b.
 
 Module eq_3_1_parallel_planes.
-(* hermite-developable/eq-3.1.parallel-planes, Sect. 3, second sentence after (3.1) (on Frey and Bindschadler [4])
-   printed: Employing the tangent vector criteria q'(u) = rho(u) p'(u) of Equation (3.1), [...] developable [...] surfaces with the boundary curves in parallel planes
-   stated: beta == 0 *)
+(* hermite-developable/eq-3.1.parallel-planes *)
 Definition dq (y2 : R) (z2 : R) : list R :=
   [0; y2; z2].
 Definition dp (y1 : R) (z1 : R) : list R :=
@@ -377,9 +349,7 @@ exists (beta : R) (gy : R) (gz : R) (h : R) (rho : R) (y1 : R) (y2 : R) (z1 : R)
 End eq_3_1_parallel_planes.
 
 Module eq_3_1_rho_constant.
-(* hermite-developable/eq-3.1.rho-constant, Sect. 3, third sentence after (3.1)
-   printed: rho(u) real constant for modeling a cylinder and cone Hermite surfaces
-   stated: q(u) - p(u) == q(0) - rho*p(0) - (1 - rho)*p(u) *)
+(* hermite-developable/eq-3.1.rho-constant *)
 Definition parallel (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (rho : R) (n : Z) : list R :=
   let u := 0%Z in vdiv (vDerive 3 (fun u_ => vsub (let u__ := u_ in vDerive 3 (fun u___ => q b0 b1 b2 b3 b4 b5 u___) 1 u__) (vscale rho (let u___ := u_ in vDerive 3 (fun u____ => p a0 a1 a2 a3 a4 a5 u____) 1 u___))) (Z.to_nat n) (IZR u)) (factorial n).
 Definition statement : Prop :=
@@ -438,10 +408,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
 End eq_3_1_rho_constant.
 
 Module eq_3_1_rho_quadratic.
-(* hermite-developable/eq-3.1.rho-quadratic, Sect. 3, second sentence after (3.1)
-   printed: Then, Kusno [8] use these criteria with rho(u) real constant, linear, and quadratic for modeling the developable Bézier
-   read as: Where q'(u) = rho(u) p'(u) with a quadratic rho, a linear and a constant one among them, the patch is developable by Definition 3.2: the determinant of p', q' and q - p is zero.
-   stated: det([dp, (r0 + r1*u + r2*u^2)*dp, Q - P]) == 0 *)
+(* hermite-developable/eq-3.1.rho-quadratic *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (r0 : R) (r1 : R) (r2 : R) (u : R),
   let P := [P'1; P'2; P'3] in
@@ -458,9 +425,7 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (r0 : R) (r1 : R
 End eq_3_1_rho_quadratic.
 
 Module eq_3_1_difficulties_same.
-(* hermite-developable/eq-3.1.difficulties.same, Sect. 3, fourth sentence after (3.1)
-   printed: The criterion (3.3) ties the points of both curves in the same way as the tangent vector criterion with rho = k constant: its Hermite curves are those with q' = k p' whose start points satisfy q(0) - o = k (p(0) - o).
-   stated: q'(u) == k*p'(u) and q(0) - o == k*(p(0) - o) and q(1/2) - q(0) == k*(p(1/2) - p(0)) and q(1) - q(0) == k*(p(1) - p(0)) *)
+(* hermite-developable/eq-3.1.difficulties.same *)
 Definition statement : Prop :=
 forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2 b3'3 : R) (b4'1 b4'2 b4'3 : R) (b5'1 b5'2 b5'3 : R) (k : R) (o'1 o'2 o'3 : R) (u : R),
   let a0 := [a0'1; a0'2; a0'3] in
@@ -523,10 +488,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
 End eq_3_1_difficulties_same.
 
 Module eq_3_2.
-(* hermite-developable/eq-3.2, Sect. 3, eq. (3.2)
-   printed: q'(u) = k p'(u) - g(u), with k constant
-   read as: with g = q - p, the generatrix of (3.1)
-   stated: det([dq - dp, dp, ruling]) == 0 *)
+(* hermite-developable/eq-3.2 *)
 Definition statement : Prop :=
 forall (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (ruling'1 ruling'2 ruling'3 : R),
   let dp := [dp'1; dp'2; dp'3] in
@@ -543,9 +505,7 @@ exists (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (ruling'1 ruling'2 ruli
 End eq_3_2.
 
 Module eq_3_2_edge.
-(* hermite-developable/eq-3.2.edge, Sect. 3, eq. (3.2)
-   printed: Curves that satisfy (3.2) with g = q - p and k != 1 lie on a tangent surface, never on a cone: its generatrices are the tangents of the curve p - g/(k - 1), whose derivative is g/(k - 1).
-   stated: dp - dg/(k - 1) == ruling/(k - 1) *)
+(* hermite-developable/eq-3.2.edge *)
 Definition statement : Prop :=
 forall (dg'1 dg'2 dg'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (ruling'1 ruling'2 ruling'3 : R),
   let dg := [dg'1; dg'2; dg'3] in
@@ -570,10 +530,7 @@ exists (dg'1 dg'2 dg'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (r
 End eq_3_2_edge.
 
 Module eq_3_2_planes_a_generatrix.
-(* hermite-developable/eq-3.2.planes.a.generatrix, Sect. 3, sentence before (3.2)
-   printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
-   read as: g is q - p, as it is defined before (3.1) and used in (3.4)
-   stated: fails(h == 0) *)
+(* hermite-developable/eq-3.2.planes.a.generatrix *)
 Definition Q (h : R) (x0 : R) (y1 : R) (z1 : R) : list R :=
   [x0 + h; y1; z1].
 Definition P (x0 : R) (y0 : R) (z0 : R) : list R :=
@@ -591,10 +548,7 @@ forall (h : R) (k : R) (x0 : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1
 End eq_3_2_planes_a_generatrix.
 
 Module eq_3_2_planes_a_direction.
-(* hermite-developable/eq-3.2.planes.a.direction, Sect. 3, sentence before (3.2)
-   printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
-   read as: g is the vector that the next sentence determines
-   stated: fails(h == 0) *)
+(* hermite-developable/eq-3.2.planes.a.direction *)
 Definition Q (h : R) (x0 : R) (y1 : R) (z1 : R) : list R :=
   [x0 + h; y1; z1].
 Definition P (x0 : R) (y0 : R) (z0 : R) : list R :=
@@ -620,10 +574,7 @@ exists (h : R) (k : R) (o'1 o'2 o'3 : R) (x0 : R) (y0 : R) (y1 : R) (y2 : R) (y3
 End eq_3_2_planes_a_direction.
 
 Module eq_3_2_planes_b_generatrix.
-(* hermite-developable/eq-3.2.planes.b.generatrix, Sect. 3, sentence before (3.2)
-   printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
-   read as: g is q - p, as it is defined before (3.1) and used in (3.4): the component of (3.2) across the plane of q is f + k f' = 0
-   stated: fails(f'(u) == 0) *)
+(* hermite-developable/eq-3.2.planes.b.generatrix *)
 Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R) : R :=
   f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u.
 Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (n : Z) : R :=
@@ -665,10 +616,7 @@ forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R),
 End eq_3_2_planes_b_generatrix.
 
 Module eq_3_2_planes_b_direction.
-(* hermite-developable/eq-3.2.planes.b.direction, Sect. 3, sentence before (3.2)
-   printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
-   read as: g is the vector that the next sentence determines: the component of (3.2) across the plane of q is k f + k f' = (1 - k) s, where s is the distance of that plane from the summit
-   stated: fails(f'(u) == 0) *)
+(* hermite-developable/eq-3.2.planes.b.direction *)
 Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R) : R :=
   k * f f0 f1 f2 f3 f4 f5 u + k * Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u - (1 - k) * s.
 Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (n : Z) : R :=
@@ -710,9 +658,7 @@ forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u 
 End eq_3_2_planes_b_direction.
 
 Module eq_3_2_planes_parallel.
-(* hermite-developable/eq-3.2.planes.parallel, Sect. 3, sentence before (3.2)
-   printed: With h = (q - o) - k (p - o) in the place of g the criterion (3.2) puts the Hermite curve p into a plane parallel to that of a plane Hermite curve q, at (k - 1)/k of the way to the parallel plane through the summit.
-   stated: f'(u) == 0 and f(u) == (k - 1)/k*s *)
+(* hermite-developable/eq-3.2.planes.parallel *)
 Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R) : R :=
   k * Derive_n (fun u_ => f f0 f1 f2 f3 f4 f5 u_) 1 u - (0 - s - k * (f f0 f1 f2 f3 f4 f5 u - s)).
 Definition part (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (n : Z) : R :=
@@ -757,9 +703,7 @@ exists (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u 
 End eq_3_2_planes_parallel.
 
 Module eq_3_2_with_h.
-(* hermite-developable/eq-3.2.with-h, Sect. 3, eqs. (3.2) and (3.3)
-   printed: With h = (q - o) - k (p - o) in the place of g (3.2) is (3.3); on a cone with the summit o it is of the form (3.1).
-   stated: Q - o + dq == k*(P - o + dp) and Q + dq == k*(P + dp) + (1 - k)*o and (lam - 1)*(lam*(P - o) - k*(P - o)) == (lam - k)*(o + lam*(P - o) - P) *)
+(* hermite-developable/eq-3.2.with-h *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (hv'1 hv'2 hv'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -784,9 +728,7 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_2_with_h.
 
 Module eq_3_2_across.
-(* hermite-developable/eq-3.2.across, Sect. 3, eq. (3.2)
-   printed: With q in the plane through a point c across a vector m, the component of (3.2), g = q - p, across that plane is f + k f' = 0 for the distance f of p from it.
-   stated: dot(m, P - c) + k*dot(m, dp) == dot(m, Q - c) + dot(m, dq) *)
+(* hermite-developable/eq-3.2.across *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (c'1 c'2 c'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (m'1 m'2 m'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -809,9 +751,7 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (c'1 c'2 c'3 : R) (dp'1 dp'2 dp'3 : R
 End eq_3_2_across.
 
 Module eq_3_2_across_summit.
-(* hermite-developable/eq-3.2.across.summit, Sect. 3, eq. (3.2)
-   printed: With q in the plane through a point c across a vector m, the component of (3.2), g = (q - o) - k (p - o), across that plane is k f + k f' = (1 - k) s for the distances f of p from it and s of it from o.
-   stated: k*dot(m, P - c) + k*dot(m, dp) - (1 - k)*dot(m, c - o) == dot(m, Q - c) + dot(m, dq) *)
+(* hermite-developable/eq-3.2.across.summit *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (c'1 c'2 c'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (m'1 m'2 m'3 : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -836,9 +776,7 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (c'1 c'2 c'3 : R) (dp'1 dp'2 dp'3 : R
 End eq_3_2_across_summit.
 
 Module eq_3_2_every_degree.
-(* hermite-developable/eq-3.2.every-degree, Sect. 3, eqs. (3.2), (3.3)
-   printed: A polynomial f with f + c f' = 0 for a number c vanishes: the leading coefficient of f + c f' is that of f, at every degree.
-   stated: leading(c) == d[n] *)
+(* hermite-developable/eq-3.2.every-degree *)
 Definition H (d : Z -> R) (n : Z) (s : Z) (u : Z) : R :=
   sum 0%Z n (fun i => binom (IZR n) i * powerRZ (IZR s) (n - i)%Z * powerRZ (IZR u) i * d i).
 Definition H_ (d : Z -> R) (n : Z) (s : Z) (u : R) : R :=
@@ -863,10 +801,7 @@ exists (n : Z) (c : R) (d : Z -> R),
 End eq_3_2_every_degree.
 
 Module eq_3_3_g_generatrix.
-(* hermite-developable/eq-3.3.g.generatrix, Sect. 3, sentence before (3.3a)
-   printed: If the generatrix lines g(u) of developable surface are defined from the summit point O of the cone developable surface [...], then we can determine g(u) = [q(u) - o] - k [p(u) - o]
-   read as: g is q - p, as it is defined before (3.1) and used in (3.4); q is on the cone through p with the summit o
-   stated: Q - P == Q - o - k*(P - o) *)
+(* hermite-developable/eq-3.3.g.generatrix *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (dp'1 dp'2 dp'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -880,10 +815,7 @@ forall (P'1 P'2 P'3 : R) (dp'1 dp'2 dp'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R
 End eq_3_3_g_generatrix.
 
 Module eq_3_3_g_direction.
-(* hermite-developable/eq-3.3.g.direction, Sect. 3, sentence before (3.3a)
-   printed: If the generatrix lines g(u) of developable surface are defined from the summit point O of the cone developable surface [...], then we can determine g(u) = [q(u) - o] - k [p(u) - o]
-   read as: g is any vector along the generatrix of the cone
-   stated: cross(Q - o - k*(P - o), Q - P) == 0 *)
+(* hermite-developable/eq-3.3.g.direction *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -892,9 +824,7 @@ forall (P'1 P'2 P'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
 End eq_3_3_g_direction.
 
 Module eq_3_3_g_true.
-(* hermite-developable/eq-3.3.g.true, Sect. 3, sentence before (3.3a)
-   printed: On a cone with the summit o, q - o = lam (p - o), the generatrix is q - p = (q - o) - (p - o) = (lam - 1) (p - o); the vector (q - o) - k (p - o) is (lam - k) (p - o).
-   stated: Q - P == (lam - 1)*(P - o) and Q - P == Q - o - (P - o) and Q - o - k*(P - o) == (lam - k)*(P - o) *)
+(* hermite-developable/eq-3.3.g.true *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -903,9 +833,7 @@ forall (P'1 P'2 P'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
 End eq_3_3_g_true.
 
 Module eq_3_3a.
-(* hermite-developable/eq-3.3a, Sect. 3, eq. (3.3a)
-   printed: [(q(u) - o) + q'(u)] = k [(p(u) - o) + p'(u)]
-   stated: Q - o + dq == k*(P - o + dp) *)
+(* hermite-developable/eq-3.3a *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (o'1 o'2 o'3 : R) (ruling'1 ruling'2 ruling'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -930,10 +858,7 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_3a.
 
 Module eq_3_3b.
-(* hermite-developable/eq-3.3b, Sect. 3, eq. (3.3b)
-   printed: [(q(u) + q'(u)] = k [p(u) + p'(u)] + (1 - k) o
-   read as: one round bracket is opened and never closed; read [q(u) + q'(u)] = k [p(u) + p'(u)] + (1 - k) o
-   stated: Q + dq == k*(P + dp) + (1 - k)*o *)
+(* hermite-developable/eq-3.3b *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -954,10 +879,7 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_3b.
 
 Module eq_3_3_same_as_3_2_generatrix.
-(* hermite-developable/eq-3.3.same-as-3.2.generatrix, Sect. 3, sentence between (3.2) and (3.3a), with (3.4)
-   printed: Therefore, it can state this developable criteria (3.2) in the form (3.3a) or (3.3b)
-   read as: g is q - p, as it is defined before (3.1) and used in (3.4)
-   stated: Q - o + dq == k*(P - o + dp) and Q + dq == k*(P + dp) + (1 - k)*o *)
+(* hermite-developable/eq-3.3.same-as-3.2.generatrix *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -973,10 +895,7 @@ forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_3_same_as_3_2_generatrix.
 
 Module eq_3_3_same_as_3_2_direction.
-(* hermite-developable/eq-3.3.same-as-3.2.direction, Sect. 3, sentence between (3.2) and (3.3a), with (3.4)
-   printed: Therefore, it can state this developable criteria (3.2) in the form (3.3a) or (3.3b)
-   read as: g is the vector that the sentence before determines
-   stated: Q - o + dq == k*(P - o + dp) and Q + dq == k*(P + dp) + (1 - k)*o *)
+(* hermite-developable/eq-3.3.same-as-3.2.direction *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (o'1 o'2 o'3 : R) (ruling'1 ruling'2 ruling'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -1001,9 +920,7 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_3_same_as_3_2_direction.
 
 Module eq_3_3_same_as_3_2_true.
-(* hermite-developable/eq-3.3.same-as-3.2.true, Sect. 3, sentence between (3.2) and (3.3a)
-   printed: For curves with (3.2), g = q - p, the two sides of (3.3) differ by (1 - k) (p - o): both criteria are met for k = 1, or where p is the summit, and nowhere else.
-   stated: Q + dq - (k*(P + dp) + (1 - k)*o) == (1 - k)*(P - o) *)
+(* hermite-developable/eq-3.3.same-as-3.2.true *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -1024,10 +941,7 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_3_same_as_3_2_true.
 
 Module eq_3_3_developable_Hermite.
-(* hermite-developable/eq-3.3.developable.Hermite, Sect. 3, (3.3) used as 'developable surface criteria' throughout Sects. 3.1-3.3
-   printed: developable surface criteria of Equation (3.3)
-   read as: p and q are Hermite curves, as where the criterion is used; q is what the criterion gives for p, and the patch a cone
-   stated: det([p'(u), q'(u), q(u) - p(u)]) == 0 and cross(q(u) - p(u), p(u) - o) == 0 *)
+(* hermite-developable/eq-3.3.developable.Hermite *)
 Definition statement : Prop :=
 forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2 b3'3 : R) (b4'1 b4'2 b4'3 : R) (b5'1 b5'2 b5'3 : R) (k : R) (o'1 o'2 o'3 : R) (u : R),
   let a0 := [a0'1; a0'2; a0'3] in
@@ -1090,10 +1004,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
 End eq_3_3_developable_Hermite.
 
 Module eq_3_3_developable_any.
-(* hermite-developable/eq-3.3.developable.any, Sect. 3, (3.3) used as 'developable surface criteria' throughout Sects. 3.1-3.3
-   printed: developable surface criteria of Equation (3.3)
-   read as: p and q are any curves of class C^n, as in Definition 3.1
-   stated: det([dp, dq, Q - P]) == 0 *)
+(* hermite-developable/eq-3.3.developable.any *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -1108,9 +1019,7 @@ forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_3_developable_any.
 
 Module eq_3_3_exact.
-(* hermite-developable/eq-3.3.exact, Sect. 3, eq. (3.3)
-   printed: What (3.3) is worth for all curves of class C^1: with d = (q - o) - k (p - o) the determinant of Definition 3.2 is (1 - k) times that of p', d, p - o. The patch is developable exactly where these are coplanar (or k = 1), in particular where q - o = k (p - o).
-   stated: det([dp, dq, Q - P]) == (1 - k)*det([dp, gap, P - o]) and dq - k*dp == -gap *)
+(* hermite-developable/eq-3.3.exact *)
 Definition gap (P : list R) (Q : list R) (k : R) (o : list R) : list R :=
   vsub (vsub Q o) (vscale k (vsub P o)).
 Definition statement : Prop :=
@@ -1133,10 +1042,7 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_3_exact.
 
 Module eq_3_3_multiples_cone.
-(* hermite-developable/eq-3.3.multiples.cone, Sect. 3, first sentence after (3.3b)
-   printed: Equation (3.3a) shows that the vectors oq and q'(u) are orderly the multiplication of the vectors op and p'(u)
-   read as: the curves are on a regular cone with the summit O, as the sentence before presupposes: q - o = lam x, p - o = x; (3.3a) is multiplied by x and by its derivative, and by the normal of the cone
-   stated: lam*x == k*x and dlam*x + lam*dx == k*dx *)
+(* hermite-developable/eq-3.3.multiples.cone *)
 Definition statement : Prop :=
 forall (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (x'1 x'2 x'3 : R),
   let dx := [dx'1; dx'2; dx'3] in
@@ -1155,10 +1061,7 @@ exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (x'1 x'2 x'3 : R),
 End eq_3_3_multiples_cone.
 
 Module eq_3_3_multiples_Hermite.
-(* hermite-developable/eq-3.3.multiples.Hermite, Sect. 3, first sentence after (3.3b)
-   printed: Equation (3.3a) shows that the vectors oq and q'(u) are orderly the multiplication of the vectors op and p'(u)
-   read as: p and q are Hermite curves, no cone is presupposed
-   stated: q(u) - o == k*(p(u) - o) and q'(u) == k*p'(u) *)
+(* hermite-developable/eq-3.3.multiples.Hermite *)
 Definition statement : Prop :=
 forall (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2 a3'3 : R) (a4'1 a4'2 a4'3 : R) (a5'1 a5'2 a5'3 : R) (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2 b3'3 : R) (b4'1 b4'2 b4'3 : R) (b5'1 b5'2 b5'3 : R) (k : R) (o'1 o'2 o'3 : R) (u : R),
   let a0 := [a0'1; a0'2; a0'3] in
@@ -1221,10 +1124,7 @@ exists (a0'1 a0'2 a0'3 : R) (a1'1 a1'2 a1'3 : R) (a2'1 a2'2 a2'3 : R) (a3'1 a3'2
 End eq_3_3_multiples_Hermite.
 
 Module eq_3_3_multiples_any.
-(* hermite-developable/eq-3.3.multiples.any, Sect. 3, first sentence after (3.3b)
-   printed: Equation (3.3a) shows that the vectors oq and q'(u) are orderly the multiplication of the vectors op and p'(u)
-   read as: p and q are any curves of class C^n, no cone is presupposed
-   stated: cross(Q - o, P - o) == 0 and cross(dq, dp) == 0 *)
+(* hermite-developable/eq-3.3.multiples.any *)
 Definition statement : Prop :=
 forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (o'1 o'2 o'3 : R),
   let P := [P'1; P'2; P'3] in
@@ -1240,10 +1140,7 @@ forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_3_multiples_any.
 
 Module eq_3_3_k_below_1.
-(* hermite-developable/eq-3.3.k-below-1, Sect. 3, second sentence after (3.3b)
-   printed: If the value k is in interval 0 < k < 1 the curve q(u) will lay between the summit point O and the curve p(u)
-   read as: the curves are on the cone with the summit O, q - o = lam (p - o); x is p - o at one u; (3.3a) is multiplied by x and by its derivative, and by the normal of the cone. Between: on the line through both, and seen from q in opposite directions
-   stated: cross(o - Q, P - Q) == 0 and dot(o - Q, P - Q) < 0 *)
+(* hermite-developable/eq-3.3.k-below-1 *)
 Definition Q (lam : R) (o : list R) (x : list R) : list R :=
   vadd o (vscale lam x).
 Definition statement : Prop :=
@@ -1270,10 +1167,7 @@ exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 
 End eq_3_3_k_below_1.
 
 Module eq_3_3_k_equal_1.
-(* hermite-developable/eq-3.3.k-equal-1, Sect. 3, third sentence after (3.3b)
-   printed: When k = 1, both curves p(u) and q(u) will be identical
-   read as: the curves are on the cone with the summit O, q - o = lam (p - o); x is p - o at one u; (3.3a) is multiplied by x and by its derivative, and by the normal of the cone
-   stated: Q == P *)
+(* hermite-developable/eq-3.3.k-equal-1 *)
 Definition Q (lam : R) (o : list R) (x : list R) : list R :=
   vadd o (vscale lam x).
 Definition statement : Prop :=
@@ -1300,10 +1194,7 @@ exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 
 End eq_3_3_k_equal_1.
 
 Module eq_3_3_k_above_1.
-(* hermite-developable/eq-3.3.k-above-1, Sect. 3, fourth sentence after (3.3b)
-   printed: If k > 1, then the curve p(u) will be placed between the summit point O and the curve q(u)
-   read as: the curves are on the cone with the summit O, q - o = lam (p - o); x is p - o at one u; (3.3a) is multiplied by x and by its derivative, and by the normal of the cone. Between: on the line through both, and seen from p in opposite directions
-   stated: cross(o - P, Q - P) == 0 and dot(o - P, Q - P) < 0 *)
+(* hermite-developable/eq-3.3.k-above-1 *)
 Definition Q (lam : R) (o : list R) (x : list R) : list R :=
   vadd o (vscale lam x).
 Definition statement : Prop :=
@@ -1330,10 +1221,7 @@ exists (dlam : R) (dx'1 dx'2 dx'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R) (x'1 
 End eq_3_3_k_above_1.
 
 Module sec_3_summit_outside.
-(* hermite-developable/sec-3.summit-outside, Sect. 3, paragraph before (3.4)
-   printed: the curves p(u) and q(u) respectively placed in the parallel planes Gamma_1 // Gamma_2 with the summit point O of the cone developable surface positioned outer the planes
-   read as: the summit is not between the planes nor on them: both planes are on one side of it; with the k > 0 that the paper elects
-   stated: q'(u)[1] == 0 and (p(u)[1] - o[1])*(q(u)[1] - o[1]) > 0 *)
+(* hermite-developable/sec-3.summit-outside *)
 Definition a5 (y5 : R) (z5 : R) : list R :=
   [0; y5; z5].
 Definition a4 (y4 : R) (z4 : R) : list R :=
@@ -1418,10 +1306,7 @@ exists (b0'1 b0'2 b0'3 : R) (b1'1 b1'2 b1'3 : R) (b2'1 b2'2 b2'3 : R) (b3'1 b3'2
 End sec_3_summit_outside.
 
 Module eq_3_4.
-(* hermite-developable/eq-3.4, Sect. 3, eq. (3.4)
-   printed: D(u,v) = p(u) + v . g = (1 - v) p(u) + v q(u)
-   read as: g is the generatrix q - p of the paragraph before (3.1), not the vector (q - o) - k (p - o) of the sentence before (3.3a)
-   stated: ruled(u, v) == (1 - v)*p(u) + v*q(u) *)
+(* hermite-developable/eq-3.4 *)
 Definition g (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
   vsub (q b0 b1 b2 b3 b4 b5 u) (p a0 a1 a2 a3 a4 a5 u).
 Definition ruled (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) (v : R) : list R :=

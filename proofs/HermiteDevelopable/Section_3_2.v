@@ -43,10 +43,7 @@ End Definitions.
 Import Definitions.
 
 Module sec_3_2_curves.
-(* hermite-developable/sec-3.2.curves, Sect. 3.2, first sentences
-   printed: p_4(u) = a_1 u^4 + b_1 u^3 + c_1 u^2 + d_1 u + e_1 and q_4(u) = a_2 u^4 + b_2 u^3 + c_2 u^2 + d_2 u + e_2 in the parallel plane Gamma_1 // Gamma_2; D(u,v) = (1-v) p_4(u) + v q_4(u); determining q_0, q_1, q_0^u, q_1^u, p_0, and p
-   read as: the six data named last are given, the five others follow: the equations of the criterion determine them
-   stated: quartic_system*solve(quartic_system, right) == right and solve(quartic_system, quartic_system*x) == x *)
+(* hermite-developable/sec-3.2.curves *)
 Definition right_ (c1 : R) (c2 : R) (c3 : R) (c4 : R) (c5 : R) : list R :=
   [c1; c2; c3; c4; c5].
 Definition x (x1 : R) (x2 : R) (x3 : R) (x4 : R) (x5 : R) : list R :=
@@ -87,9 +84,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (c1 : R) (c2 : R) (c3 : R) (c4 
 End sec_3_2_curves.
 
 Module eq_3_6_A_r1.
-(* hermite-developable/eq-3.6.A.r1, Sect. 3.2, eq. (3.6), matrix A, row 1
-   printed: (16, 8k, 2k, -2k, 0)
-   stated: quartic_system[1] == [16, 8*k, 2*k, -2*k, 0] *)
+(* hermite-developable/eq-3.6.A.r1 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -120,9 +115,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_A_r1.
 
 Module eq_3_6_A_r2.
-(* hermite-developable/eq-3.6.A.r2, Sect. 3.2, eq. (3.6), matrix A, row 2
-   printed: (32, 18k, 3k, -5k, 0)
-   stated: quartic_system[2] == [32, 18*k, 3*k, -5*k, 0] *)
+(* hermite-developable/eq-3.6.A.r2 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -153,10 +146,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_A_r2.
 
 Module eq_3_6_A_r3.
-(* hermite-developable/eq-3.6.A.r3, Sect. 3.2, eq. (3.6), matrix A, row 3
-   printed: (-80, -37k, -11k, 8k, 0)
-   read as: the copy merges three columns: '-80 - 37k - 11k & 8k & 0'
-   stated: quartic_system[3] == [-80, -37*k, -11*k, 8*k, 0] *)
+(* hermite-developable/eq-3.6.A.r3 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -187,9 +177,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_A_r3.
 
 Module eq_3_6_A_r4.
-(* hermite-developable/eq-3.6.A.r4, Sect. 3.2, eq. (3.6), matrix A, row 4
-   printed: (32, 10k, 7k, -2k, 0)
-   stated: quartic_system[4] == [32, 10*k, 7*k, -2*k, 0] *)
+(* hermite-developable/eq-3.6.A.r4 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -220,9 +208,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_A_r4.
 
 Module eq_3_6_A_r5.
-(* hermite-developable/eq-3.6.A.r5, Sect. 3.2, eq. (3.6), matrix A, row 5
-   printed: (0, 0, -k, 0, k - 1)
-   stated: quartic_system[5] == [0, 0, -k, 0, k - 1] *)
+(* hermite-developable/eq-3.6.A.r5 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -253,10 +239,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_A_r5.
 
 Module eq_3_6_B.
-(* hermite-developable/eq-3.6.B, Sect. 3.2, eq. (3.6), column of unknowns
-   printed: B = (q, p_1, p_1^u, q)
-   read as: the copy lists four symbols for a matrix of five columns; at least one line is lost. The solutions are printed below the system in the order q, p_1, p_0^u, p_1^u, o
-   stated: quartic_system*[qm, p1, p0u, p1u, o] == A36*[qm, p1, p0u, p1u, qm] *)
+(* hermite-developable/eq-3.6.B *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -276,10 +259,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_B.
 
 Module eq_3_6_B_corrected.
-(* hermite-developable/eq-3.6.B (corrected), Sect. 3.2, eq. (3.6), column of unknowns
-   printed: B = (q, p_1, p_1^u, q)
-   read as: the copy lists four symbols for a matrix of five columns; at least one line is lost. The solutions are printed below the system in the order q, p_1, p_0^u, p_1^u, o
-   stated: quartic_system*[qm, p1, p0u, p1u, o] == A36*[qm, p1, p0u, p1u, o] *)
+(* hermite-developable/eq-3.6.B (corrected) *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -314,9 +294,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_B_corrected.
 
 Module eq_3_6_C_r1.
-(* hermite-developable/eq-3.6.C.r1, Sect. 3.2, eq. (3.6), right-hand side, row 1
-   printed: -8 k p_0 + 16 k p + 8 q_1 + 8 q_0 - 2 q_1^u + 2 q_0^u
-   stated: blend5(A36[1], qm, p1, p0u, p1u, o) - quartic_part(4) == -8*k*p0 + 16*k*pm + 8*q1 + 8*q0 - 2*q1u + 2*q0u *)
+(* hermite-developable/eq-3.6.C.r1 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -331,9 +309,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_C_r1.
 
 Module eq_3_6_C_r2.
-(* hermite-developable/eq-3.6.C.r2, Sect. 3.2, eq. (3.6), right-hand side, row 2
-   printed: -14 p_0 + 32 k p + 18 q_1 + 14 q_0 - 5 q_1^u + 3 q_0^u
-   stated: blend5(A36[2], qm, p1, p0u, p1u, o) - quartic_part(3) == -14*p0 + 32*k*pm + 18*q1 + 14*q0 - 5*q1u + 3*q0u *)
+(* hermite-developable/eq-3.6.C.r2 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -345,9 +321,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_C_r2.
 
 Module eq_3_6_C_r2_corrected.
-(* hermite-developable/eq-3.6.C.r2 (corrected), Sect. 3.2, eq. (3.6), right-hand side, row 2
-   printed: -14 p_0 + 32 k p + 18 q_1 + 14 q_0 - 5 q_1^u + 3 q_0^u
-   stated: blend5(A36[2], qm, p1, p0u, p1u, o) - quartic_part(3) == k*(-14*p0) + 32*k*pm + 18*q1 + 14*q0 - 5*q1u + 3*q0u *)
+(* hermite-developable/eq-3.6.C.r2 (corrected) *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -366,9 +340,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_C_r2_corrected.
 
 Module eq_3_6_C_r3.
-(* hermite-developable/eq-3.6.C.r3, Sect. 3.2, eq. (3.6), right-hand side, row 3
-   printed: 43 k p_0 - 80 k p - 37 q_1 - 43 q_0 + 8 q_1^u - 11 q_0^u
-   stated: blend5(A36[3], qm, p1, p0u, p1u, o) - quartic_part(2) == 43*k*p0 - 80*k*pm - 37*q1 - 43*q0 + 8*q1u - 11*q0u *)
+(* hermite-developable/eq-3.6.C.r3 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -383,9 +355,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_C_r3.
 
 Module eq_3_6_C_r4.
-(* hermite-developable/eq-3.6.C.r4, Sect. 3.2, eq. (3.6), right-hand side, row 4
-   printed: -22 k p_0 + 32 k p + 10 q_1 + 22 q_0 - 2 q_1^u + 7 q_0^u
-   stated: blend5(A36[4], qm, p1, p0u, p1u, o) - quartic_part(1) == -22*k*p0 + 32*k*pm + 10*q1 + 22*q0 - 2*q1u + 7*q0u *)
+(* hermite-developable/eq-3.6.C.r4 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -400,9 +370,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_C_r4.
 
 Module eq_3_6_C_r5.
-(* hermite-developable/eq-3.6.C.r5, Sect. 3.2, eq. (3.6), right-hand side, row 5
-   printed: k p_0 - q_0 - q_1^u
-   stated: blend5(A36[5], qm, p1, p0u, p1u, o) - quartic_part(0) == k*p0 - q0 - q1u *)
+(* hermite-developable/eq-3.6.C.r5 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -414,9 +382,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_C_r5.
 
 Module eq_3_6_C_r5_corrected.
-(* hermite-developable/eq-3.6.C.r5 (corrected), Sect. 3.2, eq. (3.6), right-hand side, row 5
-   printed: k p_0 - q_0 - q_1^u
-   stated: blend5(A36[5], qm, p1, p0u, p1u, o) - quartic_part(0) == k*p0 - q0 - q0u *)
+(* hermite-developable/eq-3.6.C.r5 (corrected) *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   0 < k ->
@@ -435,27 +401,21 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_C_r5_corrected.
 
 Module eq_3_6_det.
-(* hermite-developable/eq-3.6.det, Sect. 3.2, sentence after (3.6)
-   printed: det(A) = -2176 k^5 + 4336 k^4 - 2160 k^3
-   stated: det(A36) == -2176*k^5 + 4336*k^4 - 2160*k^3 *)
+(* hermite-developable/eq-3.6.det *)
 Definition statement : Prop :=
 forall (k : R),
   det (A36 k) = - 2176 * k ^ 5 + 4336 * k ^ 4 - 2160 * k ^ 3.
 End eq_3_6_det.
 
 Module eq_3_6_det_corrected.
-(* hermite-developable/eq-3.6.det (corrected), Sect. 3.2, sentence after (3.6)
-   printed: det(A) = -2176 k^5 + 4336 k^4 - 2160 k^3
-   stated: det(A36) == 16*k^3*(1 - k) *)
+(* hermite-developable/eq-3.6.det (corrected) *)
 Definition statement : Prop :=
 forall (k : R),
   det (A36 k) = 16 * k ^ 3 * (1 - k).
 End eq_3_6_det_corrected.
 
 Module eq_3_6_det_true.
-(* hermite-developable/eq-3.6.det.true, Sect. 3.2, sentence after (3.6)
-   printed: The determinant of the printed matrix, which is that of the criterion, is -16 k^3 (k - 1): it has degree 4 and vanishes at k = 0 and k = 1 only.
-   stated: det(A36) == -16*k^3*(k - 1) and det(quartic_system) == -16*k^3*(k - 1) *)
+(* hermite-developable/eq-3.6.det.true *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   det (quartic_data A B C_ E_ F) <> 0 ->
@@ -486,9 +446,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_det_true.
 
 Module eq_3_6_det_slip.
-(* hermite-developable/eq-3.6.det.slip, Sect. 3.2, sentence after (3.6)
-   printed: With 32 k for 32 in entry (2, 1) and -80 k for -80 in entry (3, 1) the determinant of the matrix is the printed polynomial, exactly.
-   stated: det(slip) == -2176*k^5 + 4336*k^4 - 2160*k^3 *)
+(* hermite-developable/eq-3.6.det.slip *)
 Definition slip (k : R) : list (list R) :=
   [[16; 8 * k; 2 * k; - 2 * k; 0]; [32 * k; 18 * k; 3 * k; - 5 * k; 0]; [- 80 * k; - 37 * k; - 11 * k; 8 * k; 0]; [32; 10 * k; 7 * k; - 2 * k; 0]; [0; 0; - k; 0; k - 1]].
 Definition statement : Prop :=
@@ -497,18 +455,14 @@ forall (k : R),
 End eq_3_6_det_slip.
 
 Module eq_3_6_det_factored.
-(* hermite-developable/eq-3.6.det-factored, Sect. 3.2, sentence after (3.6), second equality
-   printed: -2176 k^5 + 4336 k^4 - 2160 k^3 = -16 k^3 (136 k - 135) (k - 1)
-   stated: -2176*k^5 + 4336*k^4 - 2160*k^3 == -16*k^3*(136*k - 135)*(k - 1) *)
+(* hermite-developable/eq-3.6.det-factored *)
 Definition statement : Prop :=
 forall (k : R),
   - 2176 * k ^ 5 + 4336 * k ^ 4 - 2160 * k ^ 3 = - 16 * k ^ 3 * (136 * k - 135) * (k - 1).
 End eq_3_6_det_factored.
 
 Module eq_3_6_k.
-(* hermite-developable/eq-3.6.k, Sect. 3.2, sentence before the solutions
-   printed: If we choice k > 0, k != 1 and k != (135/136), then it obtains the solutions
-   stated: qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
+(* hermite-developable/eq-3.6.k *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -551,9 +505,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_k.
 
 Module eq_3_6_k_every.
-(* hermite-developable/eq-3.6.k.every, Sect. 3.2, sentence before the solutions
-   printed: The third exclusion is not needed: the solutions hold for every k > 0 other than 1, at k = 135/136 too.
-   stated: qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
+(* hermite-developable/eq-3.6.k.every *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -594,9 +546,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_k_every.
 
 Module eq_3_6_k_135_136.
-(* hermite-developable/eq-3.6.k.135-136, Sect. 3.2, sentence before the solutions
-   printed: At k = 135/136 the system has one solution, the printed one.
-   stated: det(A36) != 0 and qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and p0u == q0u/k and p1u == q1u/k and o == (k*p0 - q0)/(k - 1) *)
+(* hermite-developable/eq-3.6.k.135-136 *)
 Definition k : R :=
   135 / 136.
 Definition quartic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (u : R) : R :=
@@ -651,9 +601,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o : R) (p0 : R) (p0u : R) (p1 
 End eq_3_6_k_135_136.
 
 Module eq_3_6_sol_q.
-(* hermite-developable/eq-3.6.sol.q, Sect. 3.2, solutions of (3.6)
-   printed: q = -k p_0 + q_0 + k p
-   stated: qm == -k*p0 + q0 + k*pm *)
+(* hermite-developable/eq-3.6.sol.q *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -690,9 +638,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_sol_q.
 
 Module eq_3_6_sol_p1.
-(* hermite-developable/eq-3.6.sol.p1, Sect. 3.2, solutions of (3.6)
-   printed: p_1 = (k p_0 + q_1 - q_0)/k
-   stated: p1 == (k*p0 + q1 - q0)/k *)
+(* hermite-developable/eq-3.6.sol.p1 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -731,9 +677,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_sol_p1.
 
 Module eq_3_6_sol_p0u.
-(* hermite-developable/eq-3.6.sol.p0u, Sect. 3.2, solutions of (3.6)
-   printed: p_0^u = (q_0^u)/k
-   stated: p0u == q0u/k *)
+(* hermite-developable/eq-3.6.sol.p0u *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -772,9 +716,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_sol_p0u.
 
 Module eq_3_6_sol_p1u.
-(* hermite-developable/eq-3.6.sol.p1u, Sect. 3.2, solutions of (3.6)
-   printed: p_1^u = q_1^u/k
-   stated: p1u == q1u/k *)
+(* hermite-developable/eq-3.6.sol.p1u *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -813,9 +755,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_sol_p1u.
 
 Module eq_3_6_sol_o.
-(* hermite-developable/eq-3.6.sol.o, Sect. 3.2, solutions of (3.6)
-   printed: o = (k p_0 - q_0)/(k - 1)
-   stated: o == (k*p0 - q0)/(k - 1) *)
+(* hermite-developable/eq-3.6.sol.o *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R),
   k > 0 ->
@@ -854,9 +794,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End eq_3_6_sol_o.
 
 Module eq_3_6_system.
-(* hermite-developable/eq-3.6.system, Sect. 3.2, solutions of (3.6)
-   printed: With k p_0 for p_0 in row 2 and q_0^u for q_1^u in row 5 of the right-hand side the printed system has the printed solutions; as it stands its first unknown has another value, by 133/4 (k - 1) p_0.
-   stated: solve(A36, right(k*p0, q0u)) == [-k*p0 + q0 + k*pm, (k*p0 + q1 - q0)/k, q0u/k, q1u/k, (k*p0 - q0)/(k - 1)] and solve(A36, right(p0, q1u))[1] == -k*p0 + q0 + k*pm + 133/4*(k - 1)*p0 *)
+(* hermite-developable/eq-3.6.system *)
 Definition right_ (k : R) (p0 : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (first : R) (last : R) : list R :=
   [- 8 * k * p0 + 16 * k * pm + 8 * q1 + 8 * q0 - 2 * q1u + 2 * q0u; - 14 * first + 32 * k * pm + 18 * q1 + 14 * q0 - 5 * q1u + 3 * q0u; 43 * k * p0 - 80 * k * pm - 37 * q1 - 43 * q0 + 8 * q1u - 11 * q0u; - 22 * k * p0 + 32 * k * pm + 10 * q1 + 22 * q0 - 2 * q1u + 7 * q0u; k * p0 - q0 - last].
 Definition statement : Prop :=
@@ -877,9 +815,7 @@ exists (k : R) (p0 : R) (pm : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
 End eq_3_6_system.
 
 Module sec_3_2_advantage.
-(* hermite-developable/sec-3.2.advantage, Sect. 3.2, last sentence
-   printed: we can move the intermediate control point p or q for changing the shape of the middle part of the developable surface (Figure (3b))
-   stated: coefficients([p4(u), q4(u)], [pm]) == [[bump(u)], [k*bump(u)]] and bump(0) == 0 and bump(1) == 0 and bump'(0) == 0 and bump'(1) == 0 and bump(1/2) == 1 and 0 <= bump(u) <= 1 *)
+(* hermite-developable/sec-3.2.advantage *)
 Definition bump (u : R) : R :=
   16 * u ^ 2 * (1 - u) ^ 2.
 Definition bump_ (u : Z) : R :=
@@ -934,9 +870,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (k : R) (o : R) (p0 : R) (p0u :
 End sec_3_2_advantage.
 
 Module ex_3_2_q.
-(* hermite-developable/ex-3.2.q, Sect. 3.2, example
-   printed: q = <-20, 5, 75>
-   stated: agrees(qm, [-20, 5, 75]) *)
+(* hermite-developable/ex-3.2.q *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1015,9 +949,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 
 End ex_3_2_q.
 
 Module ex_3_2_p1.
-(* hermite-developable/ex-3.2.p1, Sect. 3.2, example
-   printed: p_1 = <40, -15, 45>
-   stated: agrees(p1, [40, -15, 45]) *)
+(* hermite-developable/ex-3.2.p1 *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1096,9 +1028,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 
 End ex_3_2_p1.
 
 Module ex_3_2_p0u.
-(* hermite-developable/ex-3.2.p0u, Sect. 3.2, example
-   printed: p_0^u = <0, -15, 30>
-   stated: agrees(p0u, [0, -15, 30]) *)
+(* hermite-developable/ex-3.2.p0u *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1177,9 +1107,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 
 End ex_3_2_p0u.
 
 Module ex_3_2_p1u.
-(* hermite-developable/ex-3.2.p1u, Sect. 3.2, example
-   printed: p_1^u = <0, -25, -30>
-   stated: agrees(p1u, [0, -25, -30]) *)
+(* hermite-developable/ex-3.2.p1u *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1258,9 +1186,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 
 End ex_3_2_p1u.
 
 Module ex_3_2_o.
-(* hermite-developable/ex-3.2.o, Sect. 3.2, example
-   printed: o = <100, 20, 45>
-   stated: agrees(o, [100, 20, 45]) *)
+(* hermite-developable/ex-3.2.o *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1339,9 +1265,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 
 End ex_3_2_o.
 
 Module ex_3_2_parallel.
-(* hermite-developable/ex-3.2.parallel, Sect. 3.2, example, with the section's assumption Gamma_1 // Gamma_2
-   printed: in the parallel plane Gamma_1 // Gamma_2
-   stated: p4'(u)[1] == 0 and q4'(u)[1] == 0 *)
+(* hermite-developable/ex-3.2.parallel *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=

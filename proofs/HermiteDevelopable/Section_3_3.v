@@ -45,10 +45,7 @@ End Definitions.
 Import Definitions.
 
 Module sec_3_3_curves.
-(* hermite-developable/sec-3.3.curves, Sect. 3.3, first sentences
-   printed: p_5(u) = a_1 u^5 + b_1 u^4 + c_1 u^3 + d_1 u^2 + e_1 u + f_1 and q_5(u) = a_2 u^5 + b_2 u^4 + c_2 u^3 + d_2 u^2 + e_2 u + f_2 in the parallel plane Gamma_1 // Gamma_2; D(u,v) = (1-v) p_5(u) + v q_5(u); posing p_0, p, q_0^u, q_1, q_0, q_1^u, and p''
-   read as: p'' is read as p^u (the superscript u seen as two strokes): the example lists p^u as the seventh datum and no second derivative occurs in the paper. The seven data named last are given, the six others follow: the equations of the criterion determine them
-   stated: quintic_system*solve(quintic_system, right) == right and solve(quintic_system, quintic_system*x) == x *)
+(* hermite-developable/sec-3.3.curves *)
 Definition right_ (c1 : R) (c2 : R) (c3 : R) (c4 : R) (c5 : R) (c6 : R) : list R :=
   [c1; c2; c3; c4; c5; c6].
 Definition x (x1 : R) (x2 : R) (x3 : R) (x4 : R) (x5 : R) (x6 : R) : list R :=
@@ -93,9 +90,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (c1 : R) (c2 : R) (c3 :
 End sec_3_3_curves.
 
 Module eq_3_7_A_r1.
-(* hermite-developable/eq-3.7.A.r1, Sect. 3.3, eq. (3.7), matrix A, row 1
-   printed: (-4k, 16, -4k, 0, 24k, 0)
-   stated: quintic_system[1] == [-4*k, 16, -4*k, 0, 24*k, 0] *)
+(* hermite-developable/eq-3.7.A.r1 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -130,9 +125,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_A_r1.
 
 Module eq_3_7_A_r2.
-(* hermite-developable/eq-3.7.A.r2, Sect. 3.3, eq. (3.7), matrix A, row 2
-   printed: (-8k, 40, -12k, 16, 68k, 0)
-   stated: quintic_system[2] == [-8*k, 40, -12*k, 16, 68*k, 0] *)
+(* hermite-developable/eq-3.7.A.r2 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -167,9 +160,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_A_r2.
 
 Module eq_3_7_A_r3.
-(* hermite-developable/eq-3.7.A.r3, Sect. 3.3, eq. (3.7), matrix A, row 3
-   printed: (35k, -128, 27k, 32, -174k, 0)
-   stated: quintic_system[3] == [35*k, -128, 27*k, 32, -174*k, 0] *)
+(* hermite-developable/eq-3.7.A.r3 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -204,10 +195,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_A_r3.
 
 Module eq_3_7_A_r4.
-(* hermite-developable/eq-3.7.A.r4, Sect. 3.3, eq. (3.7), matrix A, row 4
-   printed: (-33k, 88, -14k, -80, 95k, 0)
-   read as: the copy merges two columns: '-33k & 88 & -14k - 80 & 95k & 0'
-   stated: quintic_system[4] == [-33*k, 88, -14*k, -80, 95*k, 0] *)
+(* hermite-developable/eq-3.7.A.r4 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -242,9 +230,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_A_r4.
 
 Module eq_3_7_A_r5.
-(* hermite-developable/eq-3.7.A.r5, Sect. 3.3, eq. (3.7), matrix A, row 5
-   printed: (11k, -16, 2k, 32, -14k, 0)
-   stated: quintic_system[5] == [11*k, -16, 2*k, 32, -14*k, 0] *)
+(* hermite-developable/eq-3.7.A.r5 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -279,10 +265,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_A_r5.
 
 Module eq_3_7_A_r6.
-(* hermite-developable/eq-3.7.A.r6, Sect. 3.3, eq. (3.7), matrix A, row 6
-   printed: (-k, 0, 0, 0, 0, k - 1)
-   read as: the copy has five entries '-k & 0 & 0 & 0 & k - 1' in a matrix of six columns; one 0 is taken as lost, the first and the last entry keep their places
-   stated: quintic_system[6] == [-k, 0, 0, 0, 0, k - 1] *)
+(* hermite-developable/eq-3.7.A.r6 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -317,9 +300,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_A_r6.
 
 Module eq_3_7_B.
-(* hermite-developable/eq-3.7.B, Sect. 3.3, eq. (3.7), column of unknowns
-   printed: B = (p_0^u, q^u, p_1^u, q, p_1, q)
-   stated: quintic_system*[p0u, qu, p1u, qm, p1, o] == A37*[p0u, qu, p1u, qm, p1, qm] *)
+(* hermite-developable/eq-3.7.B *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   0 < k ->
@@ -341,9 +322,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_B.
 
 Module eq_3_7_B_corrected.
-(* hermite-developable/eq-3.7.B (corrected), Sect. 3.3, eq. (3.7), column of unknowns
-   printed: B = (p_0^u, q^u, p_1^u, q, p_1, q)
-   stated: quintic_system*[p0u, qu, p1u, qm, p1, o] == A37*[p0u, qu, p1u, qm, p1, o] *)
+(* hermite-developable/eq-3.7.B (corrected) *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   0 < k ->
@@ -382,9 +361,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_B_corrected.
 
 Module eq_3_7_C_r1.
-(* hermite-developable/eq-3.7.C.r1, Sect. 3.3, eq. (3.7), right-hand side, row 1
-   printed: 24 k p_0 + 24 q_1 - 24 q_0 - 4 q_0^u - 4 q_1^u + 16 k p^u
-   stated: blend6(A37[1], p0u, qu, p1u, qm, p1, o) - quintic_part(5) == 24*k*p0 + 24*q1 - 24*q0 - 4*q0u - 4*q1u + 16*k*pu *)
+(* hermite-developable/eq-3.7.C.r1 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -399,9 +376,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_C_r1.
 
 Module eq_3_7_C_r2.
-(* hermite-developable/eq-3.7.C.r2, Sect. 3.3, eq. (3.7), right-hand side, row 2
-   printed: 52 k p_0 + 16 k p + 68 q_1 - 52 q_0 - 8 q_0^u - 12 q_1^u + 40 k p^u
-   stated: blend6(A37[2], p0u, qu, p1u, qm, p1, o) - quintic_part(4) == 52*k*p0 + 16*k*pm + 68*q1 - 52*q0 - 8*q0u - 12*q1u + 40*k*pu *)
+(* hermite-developable/eq-3.7.C.r2 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -416,9 +391,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_C_r2.
 
 Module eq_3_7_C_r3.
-(* hermite-developable/eq-3.7.C.r3, Sect. 3.3, eq. (3.7), right-hand side, row 3
-   printed: -206 k p_0 + 32 k p - 174 q_1 + 206 q_0 + 35 q_0^u + 27 q_1^u - 128 k p^u
-   stated: blend6(A37[3], p0u, qu, p1u, qm, p1, o) - quintic_part(3) == -206*k*p0 + 32*k*pm - 174*q1 + 206*q0 + 35*q0u + 27*q1u - 128*k*pu *)
+(* hermite-developable/eq-3.7.C.r3 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -433,9 +406,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_C_r3.
 
 Module eq_3_7_C_r4.
-(* hermite-developable/eq-3.7.C.r4, Sect. 3.3, eq. (3.7), right-hand side, row 4
-   printed: 175 k p_0 - 80 k p + 95 q_1 - 175 q_0 - 33 q_0^u - 14 q_1^u + 88 k p^u
-   stated: blend6(A37[4], p0u, qu, p1u, qm, p1, o) - quintic_part(2) == 175*k*p0 - 80*k*pm + 95*q1 - 175*q0 - 33*q0u - 14*q1u + 88*k*pu *)
+(* hermite-developable/eq-3.7.C.r4 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -450,9 +421,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_C_r4.
 
 Module eq_3_7_C_r5.
-(* hermite-developable/eq-3.7.C.r5, Sect. 3.3, eq. (3.7), right-hand side, row 5
-   printed: -46 k p_0 + 32 k p - 14 q_1 + 46 q_0 + 11 q_0^u + 2 q_1^u - 16 k p^u
-   stated: blend6(A37[5], p0u, qu, p1u, qm, p1, o) - quintic_part(1) == -46*k*p0 + 32*k*pm - 14*q1 + 46*q0 + 11*q0u + 2*q1u - 16*k*pu *)
+(* hermite-developable/eq-3.7.C.r5 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -467,9 +436,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_C_r5.
 
 Module eq_3_7_C_r6.
-(* hermite-developable/eq-3.7.C.r6, Sect. 3.3, eq. (3.7), right-hand side, row 6
-   printed: k p_0 - q_0 - q_0^u
-   stated: blend6(A37[6], p0u, qu, p1u, qm, p1, o) - quintic_part(0) == k*p0 - q0 - q0u *)
+(* hermite-developable/eq-3.7.C.r6 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   det (quintic_data A B C_ E_ F G) <> 0 ->
@@ -484,18 +451,14 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_C_r6.
 
 Module eq_3_7_det.
-(* hermite-developable/eq-3.7.det, Sect. 3.3, sentence after (3.7)
-   printed: det(A) = 256 k^3 (k - 1)
-   stated: det(A37) == 256*k^3*(k - 1) *)
+(* hermite-developable/eq-3.7.det *)
 Definition statement : Prop :=
 forall (k : R),
   det (A37 k) = 256 * k ^ 3 * (k - 1).
 End eq_3_7_det.
 
 Module eq_3_7_k.
-(* hermite-developable/eq-3.7.k, Sect. 3.3, sentence before the solutions
-   printed: If we determine k > 0 and k != 1, then it finds the solutions
-   stated: p0u == q0u/k and qu == k*pu and p1u == q1u/k and qm == -k*p0 + q0 + k*pm and p1 == (k*p0 + q1 - q0)/k and o == (k*p0 - q0)/(k - 1) *)
+(* hermite-developable/eq-3.7.k *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   k > 0 ->
@@ -540,9 +503,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_k.
 
 Module eq_3_7_k_needed.
-(* hermite-developable/eq-3.7.k.needed, Sect. 3.3, sentence before the solutions
-   printed: Both exclusions are needed: at k = 0 and at k = 1 the system of the criterion has no unique solution.
-   stated: at(det(quintic_system), k, 0) == 0 and at(det(quintic_system), k, 1) == 0 *)
+(* hermite-developable/eq-3.7.k.needed *)
 Definition quintic_gap (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (k : Z) (u : R) : R :=
   q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u + Derive_n (fun u_ => q5 A B C_ E_ F G q0 q0u q1 q1u qm qu u_) 1 u - IZR k * (p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u + Derive_n (fun u_ => p5 A B C_ E_ F G p0 p0u p1 p1u pm pu u_) 1 u) - (1 - IZR k) * o.
 Definition quintic_part (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R) (k : Z) (n : Z) : R :=
@@ -583,9 +544,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o : R) (p0 : R) (p0u :
 End eq_3_7_k_needed.
 
 Module eq_3_7_sol_p0u.
-(* hermite-developable/eq-3.7.sol.p0u, Sect. 3.3, solutions of (3.7)
-   printed: p_0^u = (q_0^u)/k
-   stated: p0u == q0u/k *)
+(* hermite-developable/eq-3.7.sol.p0u *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   k > 0 ->
@@ -628,9 +587,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_sol_p0u.
 
 Module eq_3_7_sol_qu.
-(* hermite-developable/eq-3.7.sol.qu, Sect. 3.3, solutions of (3.7)
-   printed: q^u = k p^u
-   stated: qu == k*pu *)
+(* hermite-developable/eq-3.7.sol.qu *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   k > 0 ->
@@ -671,9 +628,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_sol_qu.
 
 Module eq_3_7_sol_p1u.
-(* hermite-developable/eq-3.7.sol.p1u, Sect. 3.3, solutions of (3.7)
-   printed: p_1^u = q_1^u/k
-   stated: p1u == q1u/k *)
+(* hermite-developable/eq-3.7.sol.p1u *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   k > 0 ->
@@ -716,9 +671,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_sol_p1u.
 
 Module eq_3_7_sol_q.
-(* hermite-developable/eq-3.7.sol.q, Sect. 3.3, solutions of (3.7)
-   printed: q = -k p_0 + q_0 + k p
-   stated: qm == -k*p0 + q0 + k*pm *)
+(* hermite-developable/eq-3.7.sol.q *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   k > 0 ->
@@ -759,9 +712,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_sol_q.
 
 Module eq_3_7_sol_p1.
-(* hermite-developable/eq-3.7.sol.p1, Sect. 3.3, solutions of (3.7)
-   printed: p_1 = (k p_0 + q_1 - q_0)/k
-   stated: p1 == (k*p0 + q1 - q0)/k *)
+(* hermite-developable/eq-3.7.sol.p1 *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   k > 0 ->
@@ -804,9 +755,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_sol_p1.
 
 Module eq_3_7_sol_o.
-(* hermite-developable/eq-3.7.sol.o, Sect. 3.3, solutions of (3.7)
-   printed: o = (k p_0 - q_0)/(k - 1)
-   stated: o == (k*p0 - q0)/(k - 1) *)
+(* hermite-developable/eq-3.7.sol.o *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R) (p0u : R) (p1 : R) (p1u : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) (qm : R) (qu : R),
   k > 0 ->
@@ -849,9 +798,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End eq_3_7_sol_o.
 
 Module eq_3_7_system.
-(* hermite-developable/eq-3.7.system, Sect. 3.3, solutions of (3.7)
-   printed: The printed matrix and right-hand side, with o for the last unknown, have the printed solutions.
-   stated: solve(A37, right) == [q0u/k, k*pu, q1u/k, -k*p0 + q0 + k*pm, (k*p0 + q1 - q0)/k, (k*p0 - q0)/(k - 1)] *)
+(* hermite-developable/eq-3.7.system *)
 Definition right_ (k : R) (p0 : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R) : list R :=
   [24 * k * p0 + 24 * q1 - 24 * q0 - 4 * q0u - 4 * q1u + 16 * k * pu; 52 * k * p0 + 16 * k * pm + 68 * q1 - 52 * q0 - 8 * q0u - 12 * q1u + 40 * k * pu; - 206 * k * p0 + 32 * k * pm - 174 * q1 + 206 * q0 + 35 * q0u + 27 * q1u - 128 * k * pu; 175 * k * p0 - 80 * k * pm + 95 * q1 - 175 * q0 - 33 * q0u - 14 * q1u + 88 * k * pu; - 46 * k * p0 + 32 * k * pm - 14 * q1 + 46 * q0 + 11 * q0u + 2 * q1u - 16 * k * pu; k * p0 - q0 - q0u].
 Definition statement : Prop :=
@@ -872,9 +819,7 @@ exists (k : R) (p0 : R) (pm : R) (pu : R) (q0 : R) (q0u : R) (q1 : R) (q1u : R),
 End eq_3_7_system.
 
 Module sec_3_3_advantage.
-(* hermite-developable/sec-3.3.advantage, Sect. 3.3, last sentence
-   printed: the choice of vector tangent p^u can modify straightforward the surface shape in the middle part of the surface (Figure (4b) and (4c))
-   stated: coefficients([p5(u), q5(u)], [pu]) == [[wave(u)], [k*wave(u)]] and wave(0) == 0 and wave(1) == 0 and wave'(0) == 0 and wave'(1) == 0 and wave(1/2) == 0 and wave'(1/2) == 1 *)
+(* hermite-developable/sec-3.3.advantage *)
 Definition wave (u : R) : R :=
   8 * u ^ 2 * (1 - u) ^ 2 * (2 * u - 1).
 Definition wave_ (u : Z) : R :=
@@ -935,9 +880,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End sec_3_3_advantage.
 
 Module ex_3_3_equation.
-(* hermite-developable/ex-3.3.equation, Sect. 3.3, example
-   printed: Equation (3.6) gives the solution
-   stated: q4'(1/2) == [0, -50, 70] *)
+(* hermite-developable/ex-3.3.equation *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1007,9 +950,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (o'1 o'2 o'3 : R) (p0u'1 p0u'2 
 End ex_3_3_equation.
 
 Module ex_3_3_equation_true.
-(* hermite-developable/ex-3.3.equation.true, Sect. 3.3, example
-   printed: The system (3.7) gives all six printed vectors.
-   stated: p0u == [0, -30, 45] and qu == [0, -50, 70] and p1u == [0, -25, -15] and qm == [-20, 5, 35] and p1 == [40, -15, 45] and o == [100, 20, 45] *)
+(* hermite-developable/ex-3.3.equation.true *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1098,9 +1039,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
 End ex_3_3_equation_true.
 
 Module ex_3_3_p0u.
-(* hermite-developable/ex-3.3.p0u, Sect. 3.3, example
-   printed: p_0^u = <0, -30, 45>
-   stated: agrees(p0u, [0, -30, 45]) *)
+(* hermite-developable/ex-3.3.p0u *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1189,9 +1128,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
 End ex_3_3_p0u.
 
 Module ex_3_3_qu.
-(* hermite-developable/ex-3.3.qu, Sect. 3.3, example
-   printed: q^u = <0, -50, 70>
-   stated: agrees(qu, [0, -50, 70]) *)
+(* hermite-developable/ex-3.3.qu *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1280,9 +1217,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
 End ex_3_3_qu.
 
 Module ex_3_3_p1u.
-(* hermite-developable/ex-3.3.p1u, Sect. 3.3, example
-   printed: p_1^u = <0, -25, -15>
-   stated: agrees(p1u, [0, -25, -15]) *)
+(* hermite-developable/ex-3.3.p1u *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1371,9 +1306,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
 End ex_3_3_p1u.
 
 Module ex_3_3_q.
-(* hermite-developable/ex-3.3.q, Sect. 3.3, example
-   printed: q = <-20, 5, 35>
-   stated: agrees(qm, [-20, 5, 35]) *)
+(* hermite-developable/ex-3.3.q *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1462,9 +1395,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
 End ex_3_3_q.
 
 Module ex_3_3_p1.
-(* hermite-developable/ex-3.3.p1, Sect. 3.3, example
-   printed: p_1 = <40, -15, 45>
-   stated: agrees(p1, [40, -15, 45]) *)
+(* hermite-developable/ex-3.3.p1 *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1553,9 +1484,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
 End ex_3_3_p1.
 
 Module ex_3_3_o.
-(* hermite-developable/ex-3.3.o, Sect. 3.3, example
-   printed: o = <100, 20, 45>
-   stated: agrees(o, [100, 20, 45]) *)
+(* hermite-developable/ex-3.3.o *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1644,9 +1573,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
 End ex_3_3_o.
 
 Module ex_3_3_parallel.
-(* hermite-developable/ex-3.3.parallel, Sect. 3.3, example, with the section's assumption Gamma_1 // Gamma_2
-   printed: in the parallel plane Gamma_1 // Gamma_2
-   stated: p5'(u)[1] == 0 and q5'(u)[1] == 0 *)
+(* hermite-developable/ex-3.3.parallel *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1737,9 +1664,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
 End ex_3_3_parallel.
 
 Module fig_4d_constant.
-(* hermite-developable/fig-4d.constant, Sect. 3.3, sentence on Fig. 4d
-   printed: the tangent planes a long the generatrix of the developable surfaces of Figure (4b) are constant
-   stated: cross(at(normal(v), v, 0), normal(v)) == 0 *)
+(* hermite-developable/fig-4d.constant *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=

@@ -546,7 +546,7 @@ exists (dg'1 dg'2 dg'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 : R) (k : R) (r
 End eq_3_2_edge.
 
 Module eq_3_2_planes_a_generatrix.
-(* hermite-developable/eq-3.2.planes.a.generatrix, Sect. 3, sentence before (3.2)
+(* hermite-developable/eq-3.2.planes.a.generatrix, Sect. 3, sentences before (3.2)
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is q - p, as it is defined before (3.1) and used in (3.4)
    stated: fails(h == 0) *)
@@ -567,7 +567,7 @@ forall (h : R) (k : R) (x0 : R) (y0 : R) (y1 : R) (y2 : R) (y3 : R) (z0 : R) (z1
 End eq_3_2_planes_a_generatrix.
 
 Module eq_3_2_planes_a_direction.
-(* hermite-developable/eq-3.2.planes.a.direction, Sect. 3, sentence before (3.2)
+(* hermite-developable/eq-3.2.planes.a.direction, Sect. 3, sentences before (3.2)
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is the vector that the next sentence determines
    stated: fails(h == 0) *)
@@ -596,7 +596,7 @@ exists (h : R) (k : R) (o'1 o'2 o'3 : R) (x0 : R) (y0 : R) (y1 : R) (y2 : R) (y3
 End eq_3_2_planes_a_direction.
 
 Module eq_3_2_planes_b_generatrix.
-(* hermite-developable/eq-3.2.planes.b.generatrix, Sect. 3, sentence before (3.2)
+(* hermite-developable/eq-3.2.planes.b.generatrix, Sect. 3, sentences before (3.2)
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is q - p, as it is defined before (3.1) and used in (3.4): the component of (3.2) across the plane of q is f + k f' = 0
    stated: fails(f'(u) == 0) *)
@@ -641,7 +641,7 @@ forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (u : R),
 End eq_3_2_planes_b_generatrix.
 
 Module eq_3_2_planes_b_direction.
-(* hermite-developable/eq-3.2.planes.b.direction, Sect. 3, sentence before (3.2)
+(* hermite-developable/eq-3.2.planes.b.direction, Sect. 3, sentences before (3.2)
    printed: To control the position and shapes of a developable surface bounded by two parallel and oblique planes, we introduce the new developable criteria [...]. These criteria can facilitate to arrange the boundary curves' tangent vectors and the surface's generatrix with both boundary curves placed in the different planes, that is q'(u) = k p'(u) - g(u)
    read as: g is the vector that the next sentence determines: the component of (3.2) across the plane of q is k f + k f' = (1 - k) s, where s is the distance of that plane from the summit
    stated: fails(f'(u) == 0) *)
@@ -686,7 +686,7 @@ forall (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u 
 End eq_3_2_planes_b_direction.
 
 Module eq_3_2_planes_parallel.
-(* hermite-developable/eq-3.2.planes.parallel, Sect. 3, sentence before (3.2)
+(* hermite-developable/eq-3.2.planes.parallel, Sect. 3, sentences before (3.2)
    printed: With h = (q - o) - k (p - o) in the place of g the criterion (3.2) puts the Hermite curve p into a plane parallel to that of a plane Hermite curve q, at (k - 1)/k of the way to the parallel plane through the summit.
    stated: f'(u) == 0 and f(u) == (k - 1)/k*s *)
 Definition across (f0 : R) (f1 : R) (f2 : R) (f3 : R) (f4 : R) (f5 : R) (k : R) (s : R) (u : R) : R :=
@@ -839,7 +839,7 @@ exists (n : Z) (c : R) (d : Z -> R),
 End eq_3_2_every_degree.
 
 Module eq_3_3_g_generatrix.
-(* hermite-developable/eq-3.3.g.generatrix, Sect. 3, sentence before (3.3a)
+(* hermite-developable/eq-3.3.g.generatrix, Sect. 3, sentence after (3.2)
    printed: If the generatrix lines g(u) of developable surface are defined from the summit point O of the cone developable surface [...], then we can determine g(u) = [q(u) - o] - k [p(u) - o]
    read as: g is q - p, as it is defined before (3.1) and used in (3.4); q is on the cone through p with the summit o
    stated: Q - P == Q - o - k*(P - o) *)
@@ -856,7 +856,7 @@ forall (P'1 P'2 P'3 : R) (dp'1 dp'2 dp'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R
 End eq_3_3_g_generatrix.
 
 Module eq_3_3_g_direction.
-(* hermite-developable/eq-3.3.g.direction, Sect. 3, sentence before (3.3a)
+(* hermite-developable/eq-3.3.g.direction, Sect. 3, sentence after (3.2)
    printed: If the generatrix lines g(u) of developable surface are defined from the summit point O of the cone developable surface [...], then we can determine g(u) = [q(u) - o] - k [p(u) - o]
    read as: g is any vector along the generatrix of the cone
    stated: cross(Q - o - k*(P - o), Q - P) == 0 *)
@@ -868,7 +868,7 @@ forall (P'1 P'2 P'3 : R) (k : R) (lam : R) (o'1 o'2 o'3 : R),
 End eq_3_3_g_direction.
 
 Module eq_3_3_g_true.
-(* hermite-developable/eq-3.3.g.true, Sect. 3, sentence before (3.3a)
+(* hermite-developable/eq-3.3.g.true, Sect. 3, sentence after (3.2)
    printed: On a cone with the summit o, q - o = lam (p - o), the generatrix is q - p = (q - o) - (p - o) = (lam - 1) (p - o); the vector (q - o) - k (p - o) is (lam - k) (p - o).
    stated: Q - P == (lam - 1)*(P - o) and Q - P == Q - o - (P - o) and Q - o - k*(P - o) == (lam - k)*(P - o) *)
 Definition statement : Prop :=
@@ -930,7 +930,7 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_3b.
 
 Module eq_3_3_same_as_3_2_generatrix.
-(* hermite-developable/eq-3.3.same-as-3.2.generatrix, Sect. 3, sentence between (3.2) and (3.3a), with (3.4)
+(* hermite-developable/eq-3.3.same-as-3.2.generatrix, Sect. 3, sentence before (3.3a)
    printed: Therefore, it can state this developable criteria (3.2) in the form (3.3a) or (3.3b)
    read as: g is q - p, as it is defined before (3.1) and used in (3.4)
    stated: Q - o + dq == k*(P - o + dp) and Q + dq == k*(P + dp) + (1 - k)*o *)
@@ -949,7 +949,7 @@ forall (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_3_same_as_3_2_generatrix.
 
 Module eq_3_3_same_as_3_2_direction.
-(* hermite-developable/eq-3.3.same-as-3.2.direction, Sect. 3, sentence between (3.2) and (3.3a), with (3.4)
+(* hermite-developable/eq-3.3.same-as-3.2.direction, Sect. 3, sentence before (3.3a)
    printed: Therefore, it can state this developable criteria (3.2) in the form (3.3a) or (3.3b)
    read as: g is the vector that the sentence before determines
    stated: Q - o + dq == k*(P - o + dp) and Q + dq == k*(P + dp) + (1 - k)*o *)
@@ -977,7 +977,7 @@ exists (P'1 P'2 P'3 : R) (Q'1 Q'2 Q'3 : R) (dp'1 dp'2 dp'3 : R) (dq'1 dq'2 dq'3 
 End eq_3_3_same_as_3_2_direction.
 
 Module eq_3_3_same_as_3_2_true.
-(* hermite-developable/eq-3.3.same-as-3.2.true, Sect. 3, sentence between (3.2) and (3.3a)
+(* hermite-developable/eq-3.3.same-as-3.2.true, Sect. 3, sentence before (3.3a)
    printed: For curves with (3.2), g = q - p, the two sides of (3.3) differ by (1 - k) (p - o): both criteria are met for k = 1, or where p is the summit, and nowhere else.
    stated: Q + dq - (k*(P + dp) + (1 - k)*o) == (1 - k)*(P - o) *)
 Definition statement : Prop :=
@@ -1384,7 +1384,7 @@ End sec_3_summit_outside.
 Module eq_3_4.
 (* hermite-developable/eq-3.4, Sect. 3, eq. (3.4)
    printed: D(u,v) = p(u) + v . g = (1 - v) p(u) + v q(u)
-   read as: g is the generatrix q - p of the paragraph before (3.1), not the vector (q - o) - k (p - o) of the sentence before (3.3a)
+   read as: g is the generatrix q - p of the paragraph before (3.1), not the vector (q - o) - k (p - o) of the sentence after (3.2)
    stated: ruled(u, v) == (1 - v)*p(u) + v*q(u) *)
 Definition g (a0 : list R) (a1 : list R) (a2 : list R) (a3 : list R) (a4 : list R) (a5 : list R) (b0 : list R) (b1 : list R) (b2 : list R) (b3 : list R) (b4 : list R) (b5 : list R) (u : R) : list R :=
   vsub (q b0 b1 b2 b3 b4 b5 u) (p a0 a1 a2 a3 a4 a5 u).

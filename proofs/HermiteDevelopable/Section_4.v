@@ -57,9 +57,7 @@ End Definitions.
 Import Definitions.
 
 Module sec_4_cone.
-(* hermite-developable/sec-4.cone, Sect. 4, first sentence
-   printed: a quintic developable Hermite surface of cone surface type D_5(u,v) = (1-v) p_5(u) + v q_5(u), [...] with p_5(u) and q_5(u) in the planes Gamma_1 // Gamma_2, respectively, and the summit of this cone surface at the point O
-   stated: q5(u) - o == k*(p5(u) - o) *)
+(* hermite-developable/sec-4.cone *)
 Definition blend6 (w : list R) (a : R) (b : R) (c : R) (d : R) (e : R) (f : R) : R :=
   entry w 1 * a + entry w 2 * b + entry w 3 * c + entry w 4 * d + entry w 5 * e + entry w 6 * f.
 Definition hermite5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (a : R) (m : R) (b : R) (s : R) (r : R) (t : R) : R :=
@@ -126,10 +124,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o : R) (p0 : R
 End sec_4_cone.
 
 Module eq_4_1.
-(* hermite-developable/eq-4.1, Sect. 4, eq. (4.1)
-   printed: Gamma_3(u,v) = q_0 + u a + v d
-   read as: q_0 is a point of the plane, a and d are directions in it
-   stated: oblique(0, 0) == q0 and dot(oblique(u, v) - q0, normal) == 0 *)
+(* hermite-developable/eq-4.1 *)
 Definition oblique (a : list R) (d : list R) (q0 : list R) (u : Z) (v : Z) : list R :=
   vadd (vadd q0 (vscale (IZR u) a)) (vscale (IZR v) d).
 Definition oblique_ (a : list R) (d : list R) (q0 : list R) (u : R) (v : R) : list R :=
@@ -150,10 +145,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (q0'1 q0'2 q0'3 : R) (u : R) (v : R),
 End eq_4_1.
 
 Module sec_4_goal_designed.
-(* hermite-developable/sec-4.goal.designed, Sect. 4, paragraph after (4.1)
-   printed: the transformation of the curve q_5(u) in Gamma_2 to the curve image r_5(u) in Gamma_3 relative to the summit point O of the cone surface D_5(u,v) such that p_5(u), q_5(u), and r_5(u) construct the developable surface
-   read as: r_5 is the Hermite curve designed from the six projected data; in affine coordinates with the summit at 0, q in the plane x = 1 with q_0 = <1, 0, 0>, and the oblique plane x + y = 1: every case is of this form, since affine maps keep planes, Hermite curves, projections and developable patches; p = q/k by the criterion
-   stated: det([p5'(u), r5'(u), r5(u) - p5(u)]) == 0 *)
+(* hermite-developable/sec-4.goal.designed *)
 Definition q0 : list R :=
   [1; 0; 0].
 Definition qm (y1 : R) (z1 : R) : list R :=
@@ -208,10 +200,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (u : R) (y1 : R
 End sec_4_goal_designed.
 
 Module sec_4_goal_image.
-(* hermite-developable/sec-4.goal.image, Sect. 4, paragraph after (4.1)
-   printed: the transformation of the curve q_5(u) in Gamma_2 to the curve image r_5(u) in Gamma_3 relative to the summit point O of the cone surface D_5(u,v) such that p_5(u), q_5(u), and r_5(u) construct the developable surface
-   read as: r_5 is the image of q_5 under the projection from O to the plane; c and dc are q_5 and its derivative at one u, p is q seen from the summit
-   stated: det([dp, dr, image(c) - p]) == 0 and dot(image(c) - q0, normal) == 0 and cross(image(c) - o, c - o) == 0 *)
+(* hermite-developable/sec-4.goal.image *)
 Definition dp (dc : list R) (k : R) : list R :=
   vdiv dc k.
 Definition dr (a : list R) (c : list R) (d : list R) (dc : list R) (o : list R) (q0 : list R) : list R :=
@@ -244,10 +233,7 @@ exists (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (dc'1 dc'2 dc'3 : R
 End sec_4_goal_image.
 
 Module sec_4_goal_leaves.
-(* hermite-developable/sec-4.goal.leaves, Sect. 4, paragraph after (4.1)
-   printed: The Hermite curve of the projected data is not on the cone in general: between u = 0, 1/2 and 1 it leaves the generatrices.
-   read as: in affine coordinates with the summit at 0, q in the plane x = 1 with q_0 = <1, 0, 0>, and the oblique plane x + y = 1: every case is of this form, since affine maps keep planes, Hermite curves, projections and developable patches
-   stated: fails(cross(r5(u) - o, q5(u) - o) == 0) *)
+(* hermite-developable/sec-4.goal.leaves *)
 Definition q0 : list R :=
   [1; 0; 0].
 Definition r0 : list R :=
@@ -302,9 +288,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (u : R) (y1 : R) (y2 : 
 End sec_4_goal_leaves.
 
 Module sec_4_goal_nodes.
-(* hermite-developable/sec-4.goal.nodes, Sect. 4, paragraph after (4.1)
-   printed: What (4.2) to (4.4) reach: at u = 0, 1/2 and 1 the tangent vectors of p and r and the generatrix are coplanar, so that the patch has one tangent plane along each of these three generatrices.
-   stated: det([q0u, r0u, r0 - o]) == 0 and det([qu, ru, r - o]) == 0 and det([q1u, r1u, r1 - o]) == 0 *)
+(* hermite-developable/sec-4.goal.nodes *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -341,9 +325,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End sec_4_goal_nodes.
 
 Module sec_4_goal_only.
-(* hermite-developable/sec-4.goal.only, Sect. 4, paragraph after (4.1)
-   printed: The only curve in the oblique plane whose points are on the generatrices of the cone is the central image of q, a rational curve: r - o is q - o times (q_0 - o).n / (q - o).n with n = a /\ d.
-   stated: o + w*(c - o) == image(c) and dot(c - o, normal)*(o + w*(c - o) - o) == dot(q0 - o, normal)*(c - o) *)
+(* hermite-developable/sec-4.goal.only *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (w : R),
   let a := [a'1; a'2; a'3] in
@@ -366,9 +348,7 @@ exists (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (
 End sec_4_goal_only.
 
 Module sec_4_goal_parallel.
-(* hermite-developable/sec-4.goal.parallel, Sect. 4, paragraph after (4.1)
-   printed: Hermite curves in oblique planes that bound a developable patch exist for every p and every direction c across the oblique plane: the projection along c takes the points and tangent vectors of p to those of its image, and the patch is a cylinder.
-   stated: r(u) == shadow(p5(u)) and dot(r(u) - q0, normal) == 0 and cross(r(u) - p5(u), c) == 0 and det([x, turned(x), c]) == 0 *)
+(* hermite-developable/sec-4.goal.parallel *)
 Definition shadow (a : list R) (c : list R) (d : list R) (q0 : list R) (x : list R) : list R :=
   vsub x (vscale (dot (vsub x q0) (normal a d) / dot c (normal a d)) c).
 Definition turned (a : list R) (c : list R) (d : list R) (x : list R) : list R :=
@@ -411,9 +391,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (c'1 
 End sec_4_goal_parallel.
 
 Module sec_4_in_plane.
-(* hermite-developable/sec-4.in-plane, Sect. 4, paragraph after (4.1)
-   printed: In other words, we have to find the control points and the tangent vectors r_0, r, r_1, r_0^u, r^u, and r_1^u in Gamma_3 as the projection images of the q_0, q, q_1, q_0^u, q^u, and q_1^u in Gamma_2, correspondingly, for designing the curve r_5(u)
-   stated: dot(r0 - q0, normal) == 0 and dot(r - q0, normal) == 0 and dot(r1 - q0, normal) == 0 and dot(r0u, normal) == 0 and dot(ru, normal) == 0 and dot(r1u, normal) == 0 and quintic_basis(u)[1] + quintic_basis(u)[2] + quintic_basis(u)[3] == 1 *)
+(* hermite-developable/sec-4.in-plane *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R) (u : R),
   let a := [a'1; a'2; a'3] in
@@ -454,9 +432,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (a'1 a'2 a'3 : R) (d'1 
 End sec_4_in_plane.
 
 Module sec_4_r0.
-(* hermite-developable/sec-4.r0, Sect. 4, paragraph 'We determine'
-   printed: r_0 = q_0
-   stated: image(q0) == r0 *)
+(* hermite-developable/sec-4.r0 *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -475,10 +451,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End sec_4_r0.
 
 Module sec_4_I1.
-(* hermite-developable/sec-4.I1, Sect. 4, paragraph 'We determine'
-   printed: I_1 = o + w[(q_0 - o) + q_0^u] = q_0 + u a + v d
-   read as: x1, x2 are the parameters u, v of the plane at the point of intersection
-   stated: w == dot(q0 - o, normal)/dot(q0 - o + q0u, normal) and dot(o + w*(q0 - o + q0u) - q0, normal) == 0 *)
+(* hermite-developable/sec-4.I1 *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (w : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -501,10 +474,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End sec_4_I1.
 
 Module sec_4_w.
-(* hermite-developable/sec-4.w, Sect. 4, paragraph 'We determine'
-   printed: w = [(q_0 - o).(a /\ d)]/[((q_0 - o) + q_0^u).(a /\ d)]
-   read as: x1, x2 are the parameters u, v of the plane at the point of intersection
-   stated: w == dot(q0 - o, cross(a, d))/dot(q0 - o + q0u, cross(a, d)) *)
+(* hermite-developable/sec-4.w *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (w : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -529,10 +499,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End sec_4_w.
 
 Module eq_4_2.
-(* hermite-developable/eq-4.2, Sect. 4, eq. (4.2)
-   printed: r_0^u = [ (q_0 - o).(a /\ d) / (((q_0 - o) + q_0^u).(a /\ d)) ] [(q_0 - o) + q_0^u] - (q_0 - o)
-   read as: r_0^u is the vector from r_0 = q_0 to I_1; x1, x2 are the parameters u, v of the plane there
-   stated: o + w*(q0 - o + q0u) - q0 == dot(q0 - o, cross(a, d))/dot(q0 - o + q0u, cross(a, d))*(q0 - o + q0u) - (q0 - o) *)
+(* hermite-developable/eq-4.2 *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (w : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -557,10 +524,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End eq_4_2.
 
 Module eq_4_2_tangent_derivative.
-(* hermite-developable/eq-4.2.tangent.derivative, Sect. 4, sentence before (4.2)
-   printed: The projection of tangent vector q_0^u in Gamma_2 to r_0^u in Gamma_3
-   read as: r_0^u is the tangent vector of the projected curve at u = 0; it depends on q_0 and q_0^u only, so that the line q_0 + x q_0^u stands for q
-   stated: at(D(image(chord(x)), x), x, 0) == r0u *)
+(* hermite-developable/eq-4.2.tangent.derivative *)
 Definition chord (q0 : list R) (q0u : list R) (x : R) : list R :=
   vadd q0 (vscale x q0u).
 Definition statement : Prop :=
@@ -577,10 +541,7 @@ forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End eq_4_2_tangent_derivative.
 
 Module eq_4_2_tangent_end_point.
-(* hermite-developable/eq-4.2.tangent.end point, Sect. 4, sentence before (4.2)
-   printed: The projection of tangent vector q_0^u in Gamma_2 to r_0^u in Gamma_3
-   read as: r_0^u is the vector from r_0 to the image of the end point of q_0^u
-   stated: image(q0 + q0u) - r0 == r0u *)
+(* hermite-developable/eq-4.2.tangent.end point *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -603,9 +564,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End eq_4_2_tangent_end_point.
 
 Module eq_4_2_tangent_parallel.
-(* hermite-developable/eq-4.2.tangent.parallel, Sect. 4, eq. (4.2)
-   printed: The vector (4.2) is the tangent vector of the projected curve times (q_0 - o).(a /\ d) / ((q_0 - o) + q_0^u).(a /\ d): it has its direction, and its length only if q_0^u is parallel to the plane.
-   stated: r0u == dot(q0 - o, normal)/dot(q0 - o + q0u, normal)*at(D(image(chord(x)), x), x, 0) *)
+(* hermite-developable/eq-4.2.tangent.parallel *)
 Definition chord (q0 : list R) (q0u : list R) (x : R) : list R :=
   vadd q0 (vscale x q0u).
 Definition statement : Prop :=
@@ -632,9 +591,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End eq_4_2_tangent_parallel.
 
 Module eq_4_2_tangent_true.
-(* hermite-developable/eq-4.2.tangent.true, Sect. 4, eqs. (4.2), (4.4)
-   printed: The tangent vector at the image of a point c of q with the tangent vector dc is (q_0 - o).n / (c - o).n times dc - (dc.n / (c - o).n) (c - o), with n = a /\ d. At q_0 it is q_0^u - (q_0^u.n / (q_0 - o).n) (q_0 - o).
-   stated: at(D(image(chord(x)), x), x, 0) == dot(q0 - o, normal)/dot(c - o, normal)*(dc - dot(dc, normal)/dot(c - o, normal)*(c - o)) and at(D(image(first(x)), x), x, 0) == q0u - dot(q0u, normal)/dot(q0 - o, normal)*(q0 - o) *)
+(* hermite-developable/eq-4.2.tangent.true *)
 Definition first (q0 : list R) (q0u : list R) (x : R) : list R :=
   vadd q0 (vscale x q0u).
 Definition statement : Prop :=
@@ -667,10 +624,7 @@ exists (a'1 a'2 a'3 : R) (c'1 c'2 c'3 : R) (d'1 d'2 d'3 : R) (dc'1 dc'2 dc'3 : R
 End eq_4_2_tangent_true.
 
 Module sec_4_s.
-(* hermite-developable/sec-4.s, Sect. 4, before (4.3)
-   printed: r = o + s(q - o) = q_0 + u a + v d and s = [(q_0 - o).(a /\ d)]/[(q - o).(a /\ d)]
-   read as: the copy sets the digit 0 for o in this sentence; x1, x2 are the parameters u, v of the plane at r
-   stated: s == dot(q0 - o, cross(a, d))/dot(qm - o, cross(a, d)) *)
+(* hermite-developable/sec-4.s *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (qm'1 qm'2 qm'3 : R) (s : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -695,10 +649,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End sec_4_s.
 
 Module eq_4_3.
-(* hermite-developable/eq-4.3, Sect. 4, eq. (4.3)
-   printed: r = o + [ (q_0 - o).(a /\ d) / ((q - o).(a /\ d)) ] (q - o)
-   read as: x1, x2 are the parameters u, v of the plane at r
-   stated: o + s*(qm - o) == o + dot(q0 - o, cross(a, d))/dot(qm - o, cross(a, d))*(qm - o) *)
+(* hermite-developable/eq-4.3 *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (qm'1 qm'2 qm'3 : R) (s : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -723,10 +674,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End eq_4_3.
 
 Module eq_4_4_ru.
-(* hermite-developable/eq-4.4.ru, Sect. 4, eq. (4.4), first
-   printed: r^u = t[(q - o) + q^u] - (r - o), t = [ (q_0 - o).(a /\ d) / (((q - o) + q^u).(a /\ d)) ]
-   read as: r is the image of q by (4.3), t the ray parameter of the projection of q + q^u, and r^u the vector from r to it; x1, x2 are the parameters of the plane there
-   stated: o + t*(qm - o + qu) - r == dot(q0 - o, cross(a, d))/dot(qm - o + qu, cross(a, d))*(qm - o + qu) - (r - o) *)
+(* hermite-developable/eq-4.4.ru *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R) (t : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -755,10 +703,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End eq_4_4_ru.
 
 Module eq_4_4_r1.
-(* hermite-developable/eq-4.4.r1, Sect. 4, eq. (4.4), second
-   printed: r_1 = o + n (q_1 - o), n = [ (q_0 - o).(a /\ d) / ((q_1 - o).(a /\ d)) ]
-   read as: x1, x2 are the parameters u, v of the plane at r_1
-   stated: o + n*(q1 - o) == o + dot(q0 - o, cross(a, d))/dot(q1 - o, cross(a, d))*(q1 - o) *)
+(* hermite-developable/eq-4.4.r1 *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (n : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q1'1 q1'2 q1'3 : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -783,10 +728,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (n : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 
 End eq_4_4_r1.
 
 Module eq_4_4_r1u.
-(* hermite-developable/eq-4.4.r1u, Sect. 4, eq. (4.4), third
-   printed: r_1^u = m[(q_1 - o) + q_1^u] - (r_1 - o), m = [ (q_0 - o).(a /\ d) / (((q_1 - o) + q_1^u).(a /\ d)) ]
-   read as: m is the ray parameter of the projection of q_1 + q_1^u, and r_1^u the vector from r_1 to it; x1, x2 are the parameters of the plane there
-   stated: o + m*(q1 - o + q1u) - r1 == dot(q0 - o, cross(a, d))/dot(q1 - o + q1u, cross(a, d))*(q1 - o + q1u) - (r1 - o) *)
+(* hermite-developable/eq-4.4.r1u *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (m : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (x1 : R) (x2 : R),
   let a := [a'1; a'2; a'3] in
@@ -815,10 +757,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (m : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 
 End eq_4_4_r1u.
 
 Module eq_4_4_tangent_derivative.
-(* hermite-developable/eq-4.4.tangent.derivative, Sect. 4, sentence before (4.4)
-   printed: Applying this method of computation, it can be found r^u, r_1, and r_1^u
-   read as: r^u and r_1^u are the tangent vectors of the projected curve at u = 1/2 and u = 1; the lines q + x q^u and q_1 + x q_1^u stand for q there
-   stated: at(D(image(chord(x)), x), x, 0) == ru and at(D(image(last(x)), x), x, 0) == r1u *)
+(* hermite-developable/eq-4.4.tangent.derivative *)
 Definition chord (qm : list R) (qu : list R) (x : R) : list R :=
   vadd qm (vscale x qu).
 Definition statement : Prop :=
@@ -841,10 +780,7 @@ forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End eq_4_4_tangent_derivative.
 
 Module eq_4_4_tangent_end_point.
-(* hermite-developable/eq-4.4.tangent.end point, Sect. 4, sentence before (4.4)
-   printed: Applying this method of computation, it can be found r^u, r_1, and r_1^u
-   read as: r^u and r_1^u are the vectors from r and r_1 to the images of the end points of q^u and q_1^u
-   stated: image(qm + qu) - r == ru and image(q1 + q1u) - r1 == r1u *)
+(* hermite-developable/eq-4.4.tangent.end point *)
 Definition statement : Prop :=
 forall (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R),
   let a := [a'1; a'2; a'3] in
@@ -881,9 +817,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End eq_4_4_tangent_end_point.
 
 Module eq_4_4_tangent_parallel.
-(* hermite-developable/eq-4.4.tangent.parallel, Sect. 4, eq. (4.4)
-   printed: The vectors (4.4) are the tangent vectors of the projected curve times (q - o).(a /\ d) / ((q - o) + q^u).(a /\ d), and so with q_1 and q_1^u: they have the directions, and the lengths only for vectors parallel to the plane.
-   stated: ru == dot(qm - o, normal)/dot(qm - o + qu, normal)*at(D(image(chord(x)), x), x, 0) and r1u == dot(q1 - o, normal)/dot(q1 - o + q1u, normal)*at(D(image(last(x)), x), x, 0) *)
+(* hermite-developable/eq-4.4.tangent.parallel *)
 Definition chord (qm : list R) (qu : list R) (x : R) : list R :=
   vadd qm (vscale x qu).
 Definition statement : Prop :=
@@ -922,10 +856,7 @@ exists (a'1 a'2 a'3 : R) (d'1 d'2 d'3 : R) (o'1 o'2 o'3 : R) (q0'1 q0'2 q0'3 : R
 End eq_4_4_tangent_parallel.
 
 Module sec_4_oblique.
-(* hermite-developable/sec-4.oblique, Sect. 4, after (4.1)
-   printed: Gamma_3 is in oblique position to the plane Gamma_1 and Gamma_2, i.e., Gamma_3 not// Gamma_1 and Gamma_3 not// Gamma_2
-   read as: the second 'not parallel' sign appears in our copy as a crossed single stroke
-   stated: fails(cross(normal, [1, 0, 0]) == 0) and fails(cross(normal2, [1, 0, 0]) == 0) *)
+(* hermite-developable/sec-4.oblique *)
 Definition normal : list R :=
   cross a d.
 Definition normal2 : list R :=
@@ -935,10 +866,7 @@ Definition statement : Prop :=
 End sec_4_oblique.
 
 Module ex_4_data.
-(* hermite-developable/ex-4.data, Sect. 4, example
-   printed: Using quintic developable Hermite surface data of Figure (4a) in section 3.3, it has o = < 100, 20, 45 >, q_0 = <-20, 60, 45>, q_u^u = <0, -60, 90>, q = <-20, 5, 35>, q^u = <0, -50, 70>, q_1 = <-20, -50, 45>, q_1^u = <0, -50, -30>
-   read as: q_u^u is read as q_0^u, the only one of the six vectors of q not otherwise listed
-   stated: o == [100, 20, 45] and q5(0) == [-20, 60, 45] and q5'(0) == [0, -60, 90] and q5(1/2) == [-20, 5, 35] and q5'(1/2) == [0, -50, 70] and q5(1) == [-20, -50, 45] and q5'(1) == [0, -50, -30] *)
+(* hermite-developable/ex-4.data *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q1 : list R :=
@@ -1025,10 +953,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (o'1 o'2 o'3 : R) (p0u'
 End ex_4_data.
 
 Module ex_4_r0.
-(* hermite-developable/ex-4.r0, Sect. 4, example, first plane
-   printed: r_0 = <-20, 60, 45>
-   read as: r_0 is q_0, and so the image of q_0
-   stated: agrees(image(q0), [-20, 60, 45]) *)
+(* hermite-developable/ex-4.r0 *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition o : list R :=
@@ -1045,9 +970,7 @@ Definition instance : Prop :=
 End ex_4_r0.
 
 Module ex_4_r0u.
-(* hermite-developable/ex-4.r0u, Sect. 4, example, first plane
-   printed: r_0^u = <-7.6, -50.6, 63.8>
-   stated: agrees(r0u, [-7.6, -50.6, 63.8]) *)
+(* hermite-developable/ex-4.r0u *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition o : list R :=
@@ -1064,9 +987,7 @@ Definition statement : Prop :=
 End ex_4_r0u.
 
 Module ex_4_r.
-(* hermite-developable/ex-4.r, Sect. 4, example, first plane
-   printed: r = <-28.4, 3.9, 34.3>
-   stated: agrees(r, [-28.4, 3.9, 34.3]) *)
+(* hermite-developable/ex-4.r *)
 Definition qm : list R :=
   [- 20; 5; 35].
 Definition o : list R :=
@@ -1087,10 +1008,7 @@ Definition instance : Prop :=
 End ex_4_r.
 
 Module ex_4_ru.
-(* hermite-developable/ex-4.ru, Sect. 4, example, first plane
-   printed: r^u = <-10.6, -70.8, 91, 8>
-   read as: '91, 8' is read as 91.8 (a vector has three coordinates)
-   stated: agrees(ru, [-10.6, -70.8, 91.8]) *)
+(* hermite-developable/ex-4.ru *)
 Definition qm : list R :=
   [- 20; 5; 35].
 Definition o : list R :=
@@ -1114,9 +1032,7 @@ Definition statement : Prop :=
 End ex_4_ru.
 
 Module ex_4_r1.
-(* hermite-developable/ex-4.r1, Sect. 4, example, first plane
-   printed: r_1 = <-38, -60.5, 45>
-   stated: agrees(r1, [-38, -60.5, 45]) *)
+(* hermite-developable/ex-4.r1 *)
 Definition q1 : list R :=
   [- 20; - 50; 45].
 Definition o : list R :=
@@ -1137,9 +1053,7 @@ Definition instance : Prop :=
 End ex_4_r1.
 
 Module ex_4_r1_rounding.
-(* hermite-developable/ex-4.r1.rounding, Sect. 4, example, first plane
-   printed: The first coordinate of r_1 is -38.082. The printed -38 is cut off, while the other coordinates of the example are rounded to one decimal; rounded it is -38.1.
-   stated: agrees(r1[1], -38.1) and agrees(r1[1], -38.082) *)
+(* hermite-developable/ex-4.r1.rounding *)
 Definition q1 : list R :=
   [- 20; - 50; 45].
 Definition o : list R :=
@@ -1160,9 +1074,7 @@ Definition instance : Prop :=
 End ex_4_r1_rounding.
 
 Module ex_4_r1u.
-(* hermite-developable/ex-4.r1u, Sect. 4, example, first plane
-   printed: r_1^u = <-10.2, -67.7, -74.1>
-   stated: agrees(r1u, [-10.2, -67.7, -74.1]) *)
+(* hermite-developable/ex-4.r1u *)
 Definition q1 : list R :=
   [- 20; - 50; 45].
 Definition o : list R :=
@@ -1186,9 +1098,7 @@ Definition statement : Prop :=
 End ex_4_r1u.
 
 Module ex_4_other_data.
-(* hermite-developable/ex-4.other-data, Sect. 4, example, first plane
-   printed: The three printed tangent vectors that do not follow from the stated data are those of one other set of tangent vectors of q: q_0^u = <0, -50, 60>, q^u = <0, -60, 80>, q_1^u = <0, -50, -60>.
-   stated: agrees(r0u, [-7.6, -50.6, 63.8]) and agrees(ru, [-10.6, -70.8, 91.8]) and agrees(r1u, [-10.2, -67.7, -74.1]) *)
+(* hermite-developable/ex-4.other-data *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition o : list R :=
@@ -1233,9 +1143,7 @@ Definition instance : Prop :=
 End ex_4_other_data.
 
 Module ex_4_other_data_twist.
-(* hermite-developable/ex-4.other-data.twist, Sect. 4, example, first plane
-   printed: The patch of that other set of data is not developable either: the angle between the tangent planes at the two ends of one generatrix has a sine of more than 0.06 at u = 3/8, 3.4 degrees.
-   stated: turn(3/8) > (6/100)^2*size(3/8) *)
+(* hermite-developable/ex-4.other-data.twist *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition qm : list R :=
@@ -1354,9 +1262,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
 End ex_4_other_data_twist.
 
 Module ex_4_stated_data.
-(* hermite-developable/ex-4.stated-data, Sect. 4, example, first plane
-   printed: For the stated data (4.2) and (4.4) give r_0^u = <-9.2, -61.5, 96.9>, r^u = <-8.7, -58.2, 79.3>, r_1^u = <-10.2, -67.7, -37.1>.
-   stated: agrees(r0u, [-9.2, -61.5, 96.9]) and agrees(ru, [-8.7, -58.2, 79.3]) and agrees(r1u, [-10.2, -67.7, -37.1]) *)
+(* hermite-developable/ex-4.stated-data *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition o : list R :=
@@ -1401,9 +1307,7 @@ Definition instance : Prop :=
 End ex_4_stated_data.
 
 Module ex_4_true_tangents.
-(* hermite-developable/ex-4.true-tangents, Sect. 4, example, first plane
-   printed: The tangent vectors of the projected curve itself at u = 0, 1/2 and 1 are <-8.6, -57.1, 90>, <-8.2, -54.5, 74.2> and <-9.5, -63.1, -34.5>.
-   stated: agrees(at(D(image(first(x)), x), x, 0), [-8.6, -57.1, 90.0]) and agrees(at(D(image(middle(x)), x), x, 0), [-8.2, -54.5, 74.2]) and agrees(at(D(image(last(x)), x), x, 0), [-9.5, -63.1, -34.5]) *)
+(* hermite-developable/ex-4.true-tangents *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition q0u : list R :=
@@ -1440,10 +1344,7 @@ Definition instance : Prop :=
 End ex_4_true_tangents.
 
 Module ex_4_a_developable_computed.
-(* hermite-developable/ex-4.a.developable.computed, Sect. 4, example, first plane
-   printed: It constructs the quintic developable Hermite surface presented in Figure (5a)
-   read as: r_5 is the curve of the data that (4.2) to (4.4) give for the stated data of q
-   stated: det([p5'(u), r5'(u), r5(u) - p5(u)]) == 0 *)
+(* hermite-developable/ex-4.a.developable.computed *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition qm : list R :=
@@ -1528,10 +1429,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
 End ex_4_a_developable_computed.
 
 Module ex_4_a_developable_printed.
-(* hermite-developable/ex-4.a.developable.printed, Sect. 4, example, first plane
-   printed: It constructs the quintic developable Hermite surface presented in Figure (5a)
-   read as: r_5 is the curve of the printed data
-   stated: det([p5'(u), rp'(u), rp(u) - p5(u)]) == 0 *)
+(* hermite-developable/ex-4.a.developable.printed *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition qm : list R :=
@@ -1595,9 +1493,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
 End ex_4_a_developable_printed.
 
 Module ex_4_a_twist.
-(* hermite-developable/ex-4.a.twist, Sect. 4, example, first plane
-   printed: On the patch of Fig. 5a the tangent planes at the two ends of one generatrix make an angle whose sine is more than 0.060 at u = 2/5, 3.4 degrees; at u = 0, 1/2 and 1 they agree.
-   stated: turn(2/5) > (60/1000)^2*size(2/5) and turn(0) == 0 and turn(1/2) == 0 and turn(1) == 0 *)
+(* hermite-developable/ex-4.a.twist *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition qm : list R :=
@@ -1724,9 +1620,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
 End ex_4_a_twist.
 
 Module ex_4_a_twist_most.
-(* hermite-developable/ex-4.a.twist.most, Sect. 4, example, first plane
-   printed: Nowhere on the patch of Fig. 5a is the sine of this angle as large as 0.061, 3.5 degrees.
-   stated: turn(u) < (61/1000)^2*size(u) *)
+(* hermite-developable/ex-4.a.twist.most *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition qm : list R :=
@@ -1847,9 +1741,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
 End ex_4_a_twist_most.
 
 Module ex_4_a_twist_printed.
-(* hermite-developable/ex-4.a.twist.printed, Sect. 4, example, first plane
-   printed: With the printed vectors of r and the stated data of q the tangent planes at the two ends of one generatrix differ at u = 0, 1/2 and 1 too; at u = 1 the sine of their angle is more than 0.333, 19.4 degrees.
-   stated: turn(0) > 0 and turn(1/2) > 0 and turn(1) > (333/1000)^2*size(1) *)
+(* hermite-developable/ex-4.a.twist.printed *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition qm : list R :=
@@ -1954,9 +1846,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
 End ex_4_a_twist_printed.
 
 Module ex_4_b_developable.
-(* hermite-developable/ex-4.b.developable, Sect. 4, example, second plane
-   printed: [the second plane] gives the quintic developable Hermite surface in Figure (5b)
-   stated: det([p5'(u), r5'(u), r5(u) - p5(u)]) == 0 *)
+(* hermite-developable/ex-4.b.developable *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition qm : list R :=
@@ -2043,9 +1933,7 @@ forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (p0'1 p0'2 p0'3 : R) (p
 End ex_4_b_developable.
 
 Module ex_4_b_twist.
-(* hermite-developable/ex-4.b.twist, Sect. 4, example, second plane
-   printed: On the patch of Fig. 5b the sine of this angle is more than 0.123 at u = 39/100, 7.0 degrees, and less than 0.125, 7.2 degrees, everywhere.
-   stated: turn(39/100) > (123/1000)^2*size(39/100) and turn(u) < (125/1000)^2*size(u) *)
+(* hermite-developable/ex-4.b.twist *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition qm : list R :=

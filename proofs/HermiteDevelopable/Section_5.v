@@ -55,10 +55,7 @@ End Definitions.
 Import Definitions.
 
 Module sec_5_criteria_a.
-(* hermite-developable/sec-5.criteria.a, Sect. 5, first paragraph
-   printed: It has formulated the mathematics equations of the developable surface criteria that can be used to model the cubic, quartic, and quintic developable Hermite surfaces. [...] this formula can design the desired forms of the surfaces
-   read as: first half; p is any Hermite curve of degree 5, cubic and quartic ones included: the curve q that the criterion (3.3) gives bounds a developable patch with it
-   stated: det([p5'(u), q5'(u), q5(u) - p5(u)]) == 0 *)
+(* hermite-developable/sec-5.criteria.a *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (pm'1 pm'2 pm'3 : R) (pu'1 pu'2 pu'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R) (u : R),
   let o := [o'1; o'2; o'3] in
@@ -123,9 +120,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o'1 o'2 o'3 : 
 End sec_5_criteria_a.
 
 Module sec_5_criteria_reach.
-(* hermite-developable/sec-5.criteria.reach, Sect. 5, first paragraph
-   printed: What the criterion (3.3) can reach with Hermite curves: pieces of cones whose boundary curves are images of each other under a homothety with centre o and factor k. A cylinder, q = p + c, is among them only if p is a point or c is 0, and no tangent surface is.
-   stated: q5(u) - o == k*(p5(u) - o) and q5'(u) - p5'(u) == (k - 1)*p5'(u) and q5(u) - p5(u) == (k - 1)*(p5(u) - o) *)
+(* hermite-developable/sec-5.criteria.reach *)
 Definition statement : Prop :=
 forall (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o'1 o'2 o'3 : R) (p0'1 p0'2 p0'3 : R) (p0u'1 p0u'2 p0u'3 : R) (p1'1 p1'2 p1'3 : R) (p1u'1 p1u'2 p1u'3 : R) (pm'1 pm'2 pm'3 : R) (pu'1 pu'2 pu'3 : R) (q0'1 q0'2 q0'3 : R) (q0u'1 q0u'2 q0u'3 : R) (q1'1 q1'2 q1'3 : R) (q1u'1 q1u'2 q1u'3 : R) (qm'1 qm'2 qm'3 : R) (qu'1 qu'2 qu'3 : R) (u : R),
   let o := [o'1; o'2; o'3] in
@@ -190,10 +185,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (k : R) (o'1 o'2 o'3 : 
 End sec_5_criteria_reach.
 
 Module sec_5_planes_a.
-(* hermite-developable/sec-5.planes.a, Sect. 5, second paragraph
-   printed: The construction methods of the developable surface laid between two parallel and oblique planes have been presented
-   read as: between parallel planes: the quintic patch of Sect. 3.3, which contains those of lower degree; the given data of q are in a plane x = h, those of p in a plane x = l, the rest is solved for
-   stated: q5'(u)[1] == 0 and p5'(u)[1] == 0 and det([p5'(u), q5'(u), q5(u) - p5(u)]) == 0 *)
+(* hermite-developable/sec-5.planes.a *)
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (qm : list R) (qu : list R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u (q0 h y2 z2) qm (q1 h y3 z3) (q0u y4 z4) qu (q1u y5 z5).
 Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (l : R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y6 : R) (z0 : R) (z1 : R) (z6 : R) (u : R) : list R :=
@@ -268,9 +260,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R)
 End sec_5_planes_a.
 
 Module sec_5_planes_parallel.
-(* hermite-developable/sec-5.planes.parallel, Sect. 5, second paragraph
-   printed: The patches of Sects. 3.1 to 3.3, those of order five, which contain the others, are developable between parallel planes.
-   stated: q5'(u)[1] == 0 and p5'(u)[1] == 0 and det([p5'(u), q5'(u), q5(u) - p5(u)]) == 0 *)
+(* hermite-developable/sec-5.planes.parallel *)
 Definition q5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (qm : list R) (qu : list R) (y2 : R) (y3 : R) (y4 : R) (y5 : R) (z2 : R) (z3 : R) (z4 : R) (z5 : R) (u : R) : list R :=
   hermite5 A B C_ E_ F G u (q0 h y2 z2) qm (q1 h y3 z3) (q0u y4 z4) qu (q1u y5 z5).
 Definition p5 (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (l : R) (p0u : list R) (p1 : list R) (p1u : list R) (y0 : R) (y1 : R) (y6 : R) (z0 : R) (z1 : R) (z6 : R) (u : R) : list R :=
@@ -345,10 +335,7 @@ exists (A : R) (B : R) (C_ : R) (E_ : R) (F : R) (G : R) (h : R) (k : R) (l : R)
 End sec_5_planes_parallel.
 
 Module sec_5_planes_b.
-(* hermite-developable/sec-5.planes.b, Sect. 5, second paragraph
-   printed: The construction methods of the developable surface laid between two parallel and oblique planes have been presented
-   read as: between oblique planes: the patch of Sect. 4, decided on the example of that section, with its first plane
-   stated: det([p5'(u), r5'(u), r5(u) - p5(u)]) == 0 *)
+(* hermite-developable/sec-5.planes.b *)
 Definition q0 : list R :=
   [- 20; 60; 45].
 Definition qm : list R :=

@@ -17,9 +17,7 @@ End Definitions.
 Import Definitions.
 
 Module curve_ends.
-(* hyperbolic/curve.ends, Curves
-   printed: F(0) = P_0, F(a) = P_2
-   stated: F(0) == P[0] and F(a) == P[2] *)
+(* hyperbolic/curve.ends *)
 Definition f (t : Z) (a : R) : R :=
   ((exp ((a - IZR t) / 2) - exp (- ((a - IZR t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition g (t : Z) (a : R) : R :=
@@ -48,9 +46,7 @@ exists (P : Z -> R) (a : R),
 End curve_ends.
 
 Module curve_d1.
-(* hyperbolic/curve.d1, Curves
-   printed: F'(0) = coth(a/2)(P_1 - P_0), F'(a) = coth(a/2)(P_2 - P_1)
-   stated: F'(0) == cosh(a/2)/sinh(a/2)*(P[1] - P[0]) and F'(a) == cosh(a/2)/sinh(a/2)*(P[2] - P[1]) *)
+(* hyperbolic/curve.d1 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -65,9 +61,7 @@ exists (P : Z -> R) (a : R),
 End curve_d1.
 
 Module curve_d1_slip.
-(* hyperbolic/curve.d1.slip, Curves
-   printed: A common slip: F'(0) = tanh(a/2)(P_1 - P_0)
-   stated: F'(0) == sinh(a/2)/cosh(a/2)*(P[1] - P[0]) *)
+(* hyperbolic/curve.d1.slip *)
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -77,9 +71,7 @@ forall (P : Z -> R) (a : R),
 End curve_d1_slip.
 
 Module curve_d1_slip_corrected.
-(* hyperbolic/curve.d1.slip (corrected), Curves
-   printed: A common slip: F'(0) = tanh(a/2)(P_1 - P_0)
-   stated: F'(0) == cosh(a/2)/sinh(a/2)*(P[1] - P[0]) *)
+(* hyperbolic/curve.d1.slip (corrected) *)
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -94,9 +86,7 @@ exists (P : Z -> R) (a : R),
 End curve_d1_slip_corrected.
 
 Module curve_d2.
-(* hyperbolic/curve.d2, Curves
-   printed: F''(0) = (cosh a (P_0 - P_1) + P_2 - P_1)/(2 sinh²(a/2))
-   stated: F''(0) == (cosh(a)*(P[0] - P[1]) + P[2] - P[1])/(2*sinh(a/2)^2) *)
+(* hyperbolic/curve.d2 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -111,9 +101,7 @@ exists (P : Z -> R) (a : R),
 End curve_d2.
 
 Module curve_middle.
-(* hyperbolic/curve.middle, Curves
-   printed: F(a/2) = (P_0 + 2 cosh(a/2) P_1 + P_2)/(2 + 2 cosh(a/2))
-   stated: F(a/2) == (P[0] + 2*cosh(a/2)*P[1] + P[2])/(2 + 2*cosh(a/2)) *)
+(* hyperbolic/curve.middle *)
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -128,9 +116,7 @@ exists (P : Z -> R) (a : R),
 End curve_middle.
 
 Module curve_middle_slip.
-(* hyperbolic/curve.middle.slip, Curves
-   printed: A common slip: F(a/2) = (P_0 + 2 cosh a P_1 + P_2)/(2 + 2 cosh a)
-   stated: F(a/2) == (P[0] + 2*cosh(a)*P[1] + P[2])/(2 + 2*cosh(a)) *)
+(* hyperbolic/curve.middle.slip *)
 Definition statement : Prop :=
 forall (P : Z -> R) (a : R),
   0 < a ->
@@ -140,9 +126,7 @@ forall (P : Z -> R) (a : R),
 End curve_middle_slip.
 
 Module shape_ends.
-(* hyperbolic/shape.ends, Curves
-   printed: F(0) = P_0, F(1) = P_m
-   stated: F(0) == P[0] and F(1) == P[m] *)
+(* hyperbolic/shape.ends *)
 Definition h (u : R) (omega : R) (i : Z) (k : Z) : R :=
   basis (1 - u) u [((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; 2 * ((exp (omega / 2) + exp (- (omega / 2))) / 2) * ((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) * ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2] i k.
 Definition F (P : Z -> R) (m : Z) (omega : R) (u : Z) : R :=
@@ -165,9 +149,7 @@ exists (m : Z) (P : Z -> R) (omega : R),
 End shape_ends.
 
 Module shape_d1.
-(* hyperbolic/shape.d1, Curves
-   printed: F'(0) = (m - 2 + s)(P_1 - P_0), F'(1) = (m - 2 + s)(P_m - P_{m-1}) with s = ω coth(ω/2)
-   stated: F'(0) == (m - 2 + s)*(P[1] - P[0]) and F'(1) == (m - 2 + s)*(P[m] - P[m-1]) *)
+(* hyperbolic/shape.d1 *)
 Definition h (u : R) (omega : R) (i : Z) (k : Z) : R :=
   basis (1 - u) u [((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; 2 * ((exp (omega / 2) + exp (- (omega / 2))) / 2) * ((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) * ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2] i k.
 Definition F (P : Z -> R) (m : Z) (omega : R) (u : R) : R :=
@@ -196,9 +178,7 @@ exists (m : Z) (P : Z -> R) (omega : R),
 End shape_d1.
 
 Module shape_d1_slip.
-(* hyperbolic/shape.d1.slip, Curves
-   printed: A common slip: F'(0) = (m + s)(P_1 - P_0)
-   stated: F'(0) == (m + s)*(P[1] - P[0]) *)
+(* hyperbolic/shape.d1.slip *)
 Definition h (u : R) (omega : R) (i : Z) (k : Z) : R :=
   basis (1 - u) u [((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; 2 * ((exp (omega / 2) + exp (- (omega / 2))) / 2) * ((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) * ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2] i k.
 Definition F (P : Z -> R) (m : Z) (omega : R) (u : R) : R :=
@@ -215,9 +195,7 @@ forall (m : Z) (P : Z -> R) (omega : R),
 End shape_d1_slip.
 
 Module shape_slope.
-(* hyperbolic/shape.slope, Curves
-   printed: s > 0
-   stated: s > 0 *)
+(* hyperbolic/shape.slope *)
 Definition statement : Prop :=
 forall (omega : R),
   0 < omega ->

@@ -15,9 +15,7 @@ End Definitions.
 Import Definitions.
 
 Module curve_hyperbola.
-(* hyperbolic/curve.hyperbola, Hyperbolas
-   printed: The points (1, 0), (1, tanh(a/2)), (cosh a, sinh a) give (cosh t, sinh t).
-   stated: E(t) == [cosh(t), sinh(t)] *)
+(* hyperbolic/curve.hyperbola *)
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -34,9 +32,7 @@ exists (a : R) (t : R),
 End curve_hyperbola.
 
 Module curve_hyperbola_implicit.
-(* hyperbolic/curve.hyperbola.implicit, Hyperbolas
-   printed: E_1² - E_2² = 1
-   stated: E(t)[1]^2 - E(t)[2]^2 == 1 *)
+(* hyperbolic/curve.hyperbola.implicit *)
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -53,9 +49,7 @@ exists (a : R) (t : R),
 End curve_hyperbola_implicit.
 
 Module curve_hyperbola_tangent.
-(* hyperbolic/curve.hyperbola.tangent, Hyperbolas
-   printed: The middle point lies on the tangents at both ends: det(E'(a), E(a) - E_1) = 0 with E_1 = (1, tanh(a/2))
-   stated: det([E'(a), E(a) - [1, tanh(a/2)]]) == 0 *)
+(* hyperbolic/curve.hyperbola.tangent *)
 Definition statement : Prop :=
 forall (a : R),
   0 < a ->

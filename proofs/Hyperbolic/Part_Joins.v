@@ -25,9 +25,7 @@ End Definitions.
 Import Definitions.
 
 Module join_C1.
-(* hyperbolic/join.C1, Joins
-   printed: R_1 = P_2 + tanh(b/2)/tanh(a/2) (P_2 - P_1)
-   stated: R[1] == P[2] + tanh(b/2)/tanh(a/2)*(P[2] - P[1]) *)
+(* hyperbolic/join.C1 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
   0 < a ->
@@ -54,9 +52,7 @@ exists (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
 End join_C1.
 
 Module join_C1_slip.
-(* hyperbolic/join.C1.slip, Joins
-   printed: A common slip: R_1 = P_2 + tanh(a/2)/tanh(b/2) (P_2 - P_1)
-   stated: R[1] == P[2] + tanh(a/2)/tanh(b/2)*(P[2] - P[1]) *)
+(* hyperbolic/join.C1.slip *)
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
   0 < a ->
@@ -72,9 +68,7 @@ forall (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
 End join_C1_slip.
 
 Module join_C1_slip_corrected.
-(* hyperbolic/join.C1.slip (corrected), Joins
-   printed: A common slip: R_1 = P_2 + tanh(a/2)/tanh(b/2) (P_2 - P_1)
-   stated: R[1] == P[2] + tanh(b/2)/tanh(a/2)*(P[2] - P[1]) *)
+(* hyperbolic/join.C1.slip (corrected) *)
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
   0 < a ->
@@ -101,9 +95,7 @@ exists (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
 End join_C1_slip_corrected.
 
 Module join_C2.
-(* hyperbolic/join.C2, Joins
-   printed: R_2 = R_1 + cosh b (R_1 - P_2) + sinh²(b/2)/sinh²(a/2) (P_0 - P_1 + cosh a (P_2 - P_1))
-   stated: R[2] == R[1] + cosh(b)*(R[1] - P[2]) + sinh(b/2)^2/sinh(a/2)^2*(P[0] - P[1] + cosh(a)*(P[2] - P[1])) *)
+(* hyperbolic/join.C2 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
   0 < a ->
@@ -126,9 +118,7 @@ exists (P : Z -> R) (R_ : Z -> R) (a : R) (b : R),
 End join_C2.
 
 Module shape_join.
-(* hyperbolic/shape.join, Joins
-   printed: R_1 = P_m + (m - 2 + s)/(n - 2 + s_2)(P_m - P_{m-1})
-   stated: R[1] == P[m] + (m - 2 + s)/(n - 2 + s2)*(P[m] - P[m-1]) *)
+(* hyperbolic/shape.join *)
 Definition h (u : R) (omega : R) (i : Z) (k : Z) : R :=
   basis (1 - u) u [((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; 2 * ((exp (omega / 2) + exp (- (omega / 2))) / 2) * ((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) * ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2] i k.
 Definition G (R_ : Z -> R) (n : Z) (omega2 : R) (u : Z) : R :=

@@ -9,36 +9,28 @@ End Definitions.
 Import Definitions.
 
 Module spiral_angle.
-(* hyperbolic/spiral.angle, Logarithmic spiral
-   printed: Radius and tangent make one angle: (1 + r²)(S·S')² = r² (S·S)(S'·S')
-   stated: (1 + r^2)*dot(S(t), S'(t))^2 == r^2*dot(S(t), S(t))*dot(S'(t), S'(t)) *)
+(* hyperbolic/spiral.angle *)
 Definition statement : Prop :=
 forall (r : R) (t : R),
   (1 + r ^ 2) * dot (S_ r t) (vDerive 2 (fun t_ => S_ r t_) 1 t) ^ 2 = r ^ 2 * dot (S_ r t) (S_ r t) * dot (vDerive 2 (fun t_ => S_ r t_) 1 t) (vDerive 2 (fun t_ => S_ r t_) 1 t).
 End spiral_angle.
 
 Module spiral_angle_slip.
-(* hyperbolic/spiral.angle.slip, Logarithmic spiral
-   printed: A common slip: (S·S')² = r² (S·S)(S'·S')
-   stated: dot(S(t), S'(t))^2 == r^2*dot(S(t), S(t))*dot(S'(t), S'(t)) *)
+(* hyperbolic/spiral.angle.slip *)
 Definition statement : Prop :=
 forall (r : R) (t : R),
   dot (S_ r t) (vDerive 2 (fun t_ => S_ r t_) 1 t) ^ 2 = r ^ 2 * dot (S_ r t) (S_ r t) * dot (vDerive 2 (fun t_ => S_ r t_) 1 t) (vDerive 2 (fun t_ => S_ r t_) 1 t).
 End spiral_angle_slip.
 
 Module spiral_regular.
-(* hyperbolic/spiral.regular, Logarithmic spiral
-   printed: S'·S' > 0
-   stated: dot(S'(t), S'(t)) > 0 *)
+(* hyperbolic/spiral.regular *)
 Definition statement : Prop :=
 forall (r : R) (t : R),
   dot (vDerive 2 (fun t_ => S_ r t_) 1 t) (vDerive 2 (fun t_ => S_ r t_) 1 t) > 0.
 End spiral_regular.
 
 Module spiral_curvature.
-(* hyperbolic/spiral.curvature, Logarithmic spiral
-   printed: det(S', S'')^2/(S'·S')^3 = e^(-2 r t)/(1 + r²)
-   stated: det([S'(t), S''(t)])^2/dot(S'(t), S'(t))^3 == exp(-2*r*t)/(1 + r^2) *)
+(* hyperbolic/spiral.curvature *)
 Definition statement : Prop :=
 forall (r : R) (t : R),
   dot (vDerive 2 (fun t_ => S_ r t_) 1 t) (vDerive 2 (fun t_ => S_ r t_) 1 t) ^ 3 <> 0 ->

@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module fn_rate.
-(* hyperbolic/fn.rate, Rates
-   printed: the derivative of tanh y is 1 - tanh² y
-   stated: D(tanh(y), y) == 1 - tanh(y)^2 *)
+(* hyperbolic/fn.rate *)
 Definition statement : Prop :=
 forall (y : R),
   locally y (fun y_ => exp y_ + exp (- y_) <> 0) ->
@@ -18,45 +16,35 @@ exists (y : R),
 End fn_rate.
 
 Module fn_growth.
-(* hyperbolic/fn.growth, Rates
-   printed: the second derivative of e^(c y) by y is c² e^(c y), the first by c is y e^(c y)
-   stated: D(exp(c*y), y, 2) == c^2*exp(c*y) and D(exp(c*y), c) == y*exp(c*y) *)
+(* hyperbolic/fn.growth *)
 Definition statement : Prop :=
 forall (c : R) (y : R),
   Derive_n (fun y_ => exp (c * y_)) 2 y = c ^ 2 * exp (c * y) /\ Derive_n (fun c_ => exp (c_ * y)) 1 c = y * exp (c * y).
 End fn_growth.
 
 Module fn_bell.
-(* hyperbolic/fn.bell, Rates
-   printed: the second derivative of exp(-y²/2) is y² - 1 times exp(-y²/2)
-   stated: D(exp(-y^2/2), y, 2) == (y^2 - 1)*exp(-y^2/2) *)
+(* hyperbolic/fn.bell *)
 Definition statement : Prop :=
 forall (y : R),
   Derive_n (fun y_ => exp (- y_ ^ 2 / 2)) 2 y = (y ^ 2 - 1) * exp (- y ^ 2 / 2).
 End fn_bell.
 
 Module fn_damped.
-(* hyperbolic/fn.damped, Rates
-   printed: the second derivative of e^(-y) sin y is -2 e^(-y) cos y
-   stated: D(exp(-y)*sin(y), y, 2) == -2*exp(-y)*cos(y) *)
+(* hyperbolic/fn.damped *)
 Definition statement : Prop :=
 forall (y : R),
   Derive_n (fun y_ => exp (- y_) * sin y_) 2 y = - 2 * exp (- y) * cos y.
 End fn_damped.
 
 Module fn_damped_slip.
-(* hyperbolic/fn.damped.slip, Rates
-   printed: A common slip: the second derivative of e^(-y) sin y is -2 e^(-y) sin y
-   stated: D(exp(-y)*sin(y), y, 2) == -2*exp(-y)*sin(y) *)
+(* hyperbolic/fn.damped.slip *)
 Definition statement : Prop :=
 forall (y : R),
   Derive_n (fun y_ => exp (- y_) * sin y_) 2 y = - 2 * exp (- y) * sin y.
 End fn_damped_slip.
 
 Module fn_damped_slip_corrected.
-(* hyperbolic/fn.damped.slip (corrected), Rates
-   printed: A common slip: the second derivative of e^(-y) sin y is -2 e^(-y) sin y
-   stated: D(exp(-y)*sin(y), y, 2) == -2*exp(-y)*cos(y) *)
+(* hyperbolic/fn.damped.slip (corrected) *)
 Definition statement : Prop :=
 forall (y : R),
   Derive_n (fun y_ => exp (- y_) * sin y_) 2 y = - 2 * exp (- y) * cos y.

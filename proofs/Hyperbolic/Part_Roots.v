@@ -9,18 +9,14 @@ End Definitions.
 Import Definitions.
 
 Module catenary_norm.
-(* hyperbolic/catenary.norm, Roots
-   printed: |K'| = cosh t
-   stated: norm(K'(t)) == cosh(t) *)
+(* hyperbolic/catenary.norm *)
 Definition statement : Prop :=
 forall (t : R),
   norm (vDerive 2 (fun t_ => K t_) 1 t) = (exp t + exp (- t)) / 2.
 End catenary_norm.
 
 Module catenary_bend.
-(* hyperbolic/catenary.bend, Roots
-   printed: The curvature: det(K', K'')/|K'|³ = 1/cosh² t
-   stated: det([K'(t), K''(t)])/norm(K'(t))^3 == 1/cosh(t)^2 *)
+(* hyperbolic/catenary.bend *)
 Definition statement : Prop :=
 forall (t : R),
   norm (vDerive 2 (fun t_ => K t_) 1 t) ^ 3 <> 0 ->
@@ -33,9 +29,7 @@ exists (t : R),
 End catenary_bend.
 
 Module catenary_bend_slip.
-(* hyperbolic/catenary.bend.slip, Roots
-   printed: A common slip: det(K', K'')/|K'|³ = 1/cosh t
-   stated: det([K'(t), K''(t)])/norm(K'(t))^3 == 1/cosh(t) *)
+(* hyperbolic/catenary.bend.slip *)
 Definition statement : Prop :=
 forall (t : R),
   norm (vDerive 2 (fun t_ => K t_) 1 t) ^ 3 <> 0 ->
@@ -44,9 +38,7 @@ forall (t : R),
 End catenary_bend_slip.
 
 Module catenary_bend_slip_corrected.
-(* hyperbolic/catenary.bend.slip (corrected), Roots
-   printed: A common slip: det(K', K'')/|K'|³ = 1/cosh t
-   stated: det([K'(t), K''(t)])/norm(K'(t))^3 == 1/cosh(t)^2 *)
+(* hyperbolic/catenary.bend.slip (corrected) *)
 Definition statement : Prop :=
 forall (t : R),
   norm (vDerive 2 (fun t_ => K t_) 1 t) ^ 3 <> 0 ->
@@ -59,9 +51,7 @@ exists (t : R),
 End catenary_bend_slip_corrected.
 
 Module tractrix_norm.
-(* hyperbolic/tractrix.norm, Roots
-   printed: |T'| = |tanh t|
-   stated: norm(T'(t)) == abs(tanh(t)) *)
+(* hyperbolic/tractrix.norm *)
 Definition T (t : R) : list R :=
   [t - (exp t - exp (- t)) / (exp t + exp (- t)); 1 / ((exp t + exp (- t)) / 2)].
 Definition statement : Prop :=

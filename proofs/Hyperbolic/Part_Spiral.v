@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module cone_slope.
-(* hyperbolic/cone.slope, Spiral on a cone
-   printed: L lies on the cone x² + y² = z²/d², and its tangents have one slope: L_3'² (1 + r² + d² r²) = d² r² L'·L'
-   stated: L(t)[1]^2 + L(t)[2]^2 == L(t)[3]^2/d^2 and L'(t)[3]^2*(1 + r^2 + d^2*r^2) == d^2*r^2*dot(L'(t), L'(t)) *)
+(* hyperbolic/cone.slope *)
 Definition statement : Prop :=
 forall (d : R) (r : R) (t : R),
   0 < d ->
@@ -24,9 +22,7 @@ exists (d : R) (r : R) (t : R),
 End cone_slope.
 
 Module cone_torsion.
-(* hyperbolic/cone.torsion, Spiral on a cone
-   printed: det(L', L'', L''') = d r (1 + r²) e^(3 r t)
-   stated: det([L'(t), L''(t), L'''(t)]) == d*r*(1 + r^2)*exp(3*r*t) *)
+(* hyperbolic/cone.torsion *)
 Definition statement : Prop :=
 forall (d : R) (r : R) (t : R),
   0 < d ->
@@ -37,9 +33,7 @@ exists (d : R) (r : R) (t : R),
 End cone_torsion.
 
 Module cone_torse.
-(* hyperbolic/cone.torse, Spiral on a cone
-   printed: The tangents of L form a torse: det(L', L', L'') = 0
-   stated: det([L'(t), L'(t), L''(t)]) == 0 *)
+(* hyperbolic/cone.torse *)
 Definition statement : Prop :=
 forall (d : R) (r : R) (t : R),
   0 < d ->

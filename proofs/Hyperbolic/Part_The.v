@@ -13,9 +13,7 @@ End Definitions.
 Import Definitions.
 
 Module quadratic_unity.
-(* hyperbolic/quadratic.unity, The functions
-   printed: f + g + h = 1
-   stated: f(t, a) + g(t, a) + h(t, a) == 1 *)
+(* hyperbolic/quadratic.unity *)
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -30,9 +28,7 @@ exists (a : R) (t : R),
 End quadratic_unity.
 
 Module quadratic_symmetry.
-(* hyperbolic/quadratic.symmetry, The functions
-   printed: f(a - t) = h(t), g(a - t) = g(t)
-   stated: f(a - t, a) == h(t, a) and g(a - t, a) == g(t, a) *)
+(* hyperbolic/quadratic.symmetry *)
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -47,9 +43,7 @@ exists (a : R) (t : R),
 End quadratic_symmetry.
 
 Module quadratic_ends.
-(* hyperbolic/quadratic.ends, The functions
-   printed: f(0) = 1, g(0) = h(0) = 0
-   stated: f(0, a) == 1 and g(0, a) == 0 and h(0, a) == 0 *)
+(* hyperbolic/quadratic.ends *)
 Definition f (t : Z) (a : R) : R :=
   ((exp ((a - IZR t) / 2) - exp (- ((a - IZR t) / 2))) / 2) ^ 2 / ((exp (a / 2) - exp (- (a / 2))) / 2) ^ 2.
 Definition g (t : Z) (a : R) : R :=
@@ -68,9 +62,7 @@ exists (a : R),
 End quadratic_ends.
 
 Module quadratic_nonnegative.
-(* hyperbolic/quadratic.nonnegative, The functions
-   printed: f, g, h >= 0 for 0 <= t <= a
-   stated: f(t, a) >= 0 and g(t, a) >= 0 and h(t, a) >= 0 *)
+(* hyperbolic/quadratic.nonnegative *)
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -87,9 +79,7 @@ exists (a : R) (t : R),
 End quadratic_nonnegative.
 
 Module quadratic_nonnegative_slip.
-(* hyperbolic/quadratic.nonnegative.slip, The functions
-   printed: A common slip: g >= 0 for all t >= 0
-   stated: g(t, a) >= 0 *)
+(* hyperbolic/quadratic.nonnegative.slip *)
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -99,9 +89,7 @@ forall (a : R) (t : R),
 End quadratic_nonnegative_slip.
 
 Module quadratic_decreasing.
-(* hyperbolic/quadratic.decreasing, The functions
-   printed: f decreases: f' <= 0 for 0 <= t <= a
-   stated: f'(t, a) <= 0 *)
+(* hyperbolic/quadratic.decreasing *)
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -118,9 +106,7 @@ exists (a : R) (t : R),
 End quadratic_decreasing.
 
 Module quadratic_largest.
-(* hyperbolic/quadratic.largest, The functions
-   printed: h <= 1 for 0 <= t <= a
-   stated: h(t, a) <= 1 *)
+(* hyperbolic/quadratic.largest *)
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -137,9 +123,7 @@ exists (a : R) (t : R),
 End quadratic_largest.
 
 Module quadratic_space.
-(* hyperbolic/quadratic.space, The functions
-   printed: f''' = f', g''' = g', h''' = h'
-   stated: f'''(t, a) == f'(t, a) and g'''(t, a) == g'(t, a) and h'''(t, a) == h'(t, a) *)
+(* hyperbolic/quadratic.space *)
 Definition statement : Prop :=
 forall (a : R) (t : R),
   0 < a ->
@@ -154,9 +138,7 @@ exists (a : R) (t : R),
 End quadratic_space.
 
 Module shape_unity.
-(* hyperbolic/shape.unity, The functions
-   printed: The functions of every degree k add up to 1.
-   stated: sum(i, 0, k, h[i,k](u)) == 1 *)
+(* hyperbolic/shape.unity *)
 Definition h (u : R) (omega : R) (i : Z) (k : Z) : R :=
   basis (1 - u) u [((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; 2 * ((exp (omega / 2) + exp (- (omega / 2))) / 2) * ((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) * ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2] i k.
 Definition statement : Prop :=
@@ -175,9 +157,7 @@ exists (k : Z) (omega : R) (u : R),
 End shape_unity.
 
 Module shape_symmetry.
-(* hyperbolic/shape.symmetry, The functions
-   printed: h_{i,4}(1 - u) = h_{4-i,4}(u)
-   stated: h[i,4](1 - u) == h[4-i,4](u) *)
+(* hyperbolic/shape.symmetry *)
 Definition h (u : R) (omega : R) (i : Z) (k : Z) : R :=
   basis (1 - u) u [((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; 2 * ((exp (omega / 2) + exp (- (omega / 2))) / 2) * ((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) * ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2] i k.
 Definition statement : Prop :=
@@ -196,9 +176,7 @@ exists (i : Z) (omega : R) (u : R),
 End shape_symmetry.
 
 Module shape_nonnegative.
-(* hyperbolic/shape.nonnegative, The functions
-   printed: h_{i,k}(u) >= 0 for 0 <= u <= 1
-   stated: nonnegative(h) *)
+(* hyperbolic/shape.nonnegative *)
 Definition h (u : R) (omega : R) (i : Z) (k : Z) : R :=
   basis (1 - u) u [((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; 2 * ((exp (omega / 2) + exp (- (omega / 2))) / 2) * ((exp (omega * (1 - u) / 2) - exp (- (omega * (1 - u) / 2))) / 2) * ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2; ((exp (omega * u / 2) - exp (- (omega * u / 2))) / 2) ^ 2 / ((exp (omega / 2) - exp (- (omega / 2))) / 2) ^ 2] i k.
 Definition statement : Prop :=

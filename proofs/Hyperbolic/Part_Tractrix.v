@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module tractrix_pull.
-(* hyperbolic/tractrix.pull, Tractrix
-   printed: On each tangent the axis is at distance 1: T_2²/T_2'² T'·T' = 1 for t > 0
-   stated: T(t)[2]^2/T'(t)[2]^2*dot(T'(t), T'(t)) == 1 *)
+(* hyperbolic/tractrix.pull *)
 Definition statement : Prop :=
 forall (t : R),
   0 < t ->
@@ -32,9 +30,7 @@ exists (t : R),
 End tractrix_pull.
 
 Module tractrix_speed.
-(* hyperbolic/tractrix.speed, Tractrix
-   printed: T'·T' = tanh² t
-   stated: dot(T'(t), T'(t)) == tanh(t)^2 *)
+(* hyperbolic/tractrix.speed *)
 Definition statement : Prop :=
 forall (t : R),
   locally t (fun t_ => exp t_ + exp (- t_) <> 0) ->

@@ -17,9 +17,7 @@ End Definitions.
 Import Definitions.
 
 Module uniform_C1.
-(* splines/uniform.C1, At a knot
-   printed: Quadratic: A(1) = B(0), A'(1) = B'(0)
-   stated: A(1) == B(0) and A'(1) == B'(0) *)
+(* splines/uniform.C1 *)
 Definition A (P : Z -> R) (s : Z) : R :=
   sum 0%Z 2%Z (fun i => U (IZR s) i 2%Z * P i).
 Definition B (P : Z -> R) (s : Z) : R :=
@@ -40,9 +38,7 @@ exists (P : Z -> R),
 End uniform_C1.
 
 Module uniform_C1_slip.
-(* splines/uniform.C1.slip, At a knot
-   printed: A common slip: A''(1) = B''(0) for degree 2
-   stated: A''(1) == B''(0) *)
+(* splines/uniform.C1.slip *)
 Definition B (P : Z -> R) (s : R) : R :=
   sum 0%Z 2%Z (fun i => U s i 2%Z * P (i + 1)%Z).
 Definition statement : Prop :=
@@ -53,9 +49,7 @@ forall (P : Z -> R),
 End uniform_C1_slip.
 
 Module uniform_C1_slip_corrected.
-(* splines/uniform.C1.slip (corrected), At a knot
-   printed: A common slip: A''(1) = B''(0) for degree 2
-   stated: A''(1) == A''(0) *)
+(* splines/uniform.C1.slip (corrected) *)
 Definition statement : Prop :=
 forall (P : Z -> R),
   (forall i : Z, (0 <= i <= 2)%Z -> (0 <= i <= 4)%Z) ->
@@ -66,9 +60,7 @@ exists (P : Z -> R),
 End uniform_C1_slip_corrected.
 
 Module uniform_C2.
-(* splines/uniform.C2, At a knot
-   printed: Cubic: F(1) = G(0), F'(1) = G'(0), F''(1) = G''(0)
-   stated: F(1) == G(0) and F'(1) == G'(0) and F''(1) == G''(0) *)
+(* splines/uniform.C2 *)
 Definition F (P : Z -> R) (s : Z) : R :=
   sum 0%Z 3%Z (fun i => U (IZR s) i 3%Z * P i).
 Definition G (P : Z -> R) (s : Z) : R :=
@@ -87,9 +79,7 @@ exists (P : Z -> R),
 End uniform_C2.
 
 Module uniform_jump.
-(* splines/uniform.jump, At a knot
-   printed: G'''(0) - F'''(1) = P_0 - 4P_1 + 6P_2 - 4P_3 + P_4
-   stated: G'''(0) - F'''(1) == P[0] - 4*P[1] + 6*P[2] - 4*P[3] + P[4] *)
+(* splines/uniform.jump *)
 Definition G (P : Z -> R) (s : R) : R :=
   sum 0%Z 3%Z (fun i => U s i 3%Z * P (i + 1)%Z).
 Definition F (P : Z -> R) (s : R) : R :=
@@ -106,9 +96,7 @@ exists (P : Z -> R),
 End uniform_jump.
 
 Module uniform_knot.
-(* splines/uniform.knot, At a knot
-   printed: F(0) = (P_0 + 4P_1 + P_2)/6, F'(0) = (P_2 - P_0)/2, F''(0) = P_0 - 2P_1 + P_2
-   stated: F(0) == (P[0] + 4*P[1] + P[2])/6 and F'(0) == (P[2] - P[0])/2 and F''(0) == P[0] - 2*P[1] + P[2] *)
+(* splines/uniform.knot *)
 Definition F (P : Z -> R) (s : Z) : R :=
   sum 0%Z 3%Z (fun i => U (IZR s) i 3%Z * P i).
 Definition statement : Prop :=
@@ -121,9 +109,7 @@ exists (P : Z -> R),
 End uniform_knot.
 
 Module uniform_knot_slip.
-(* splines/uniform.knot.slip, At a knot
-   printed: A common slip: F(0) = (P_0 + 2P_1 + P_2)/4
-   stated: F(0) == (P[0] + 2*P[1] + P[2])/4 *)
+(* splines/uniform.knot.slip *)
 Definition F (P : Z -> R) (s : Z) : R :=
   sum 0%Z 3%Z (fun i => U (IZR s) i 3%Z * P i).
 Definition statement : Prop :=
@@ -133,9 +119,7 @@ forall (P : Z -> R),
 End uniform_knot_slip.
 
 Module uniform_knot_slip_corrected.
-(* splines/uniform.knot.slip (corrected), At a knot
-   printed: A common slip: F(0) = (P_0 + 2P_1 + P_2)/4
-   stated: F(0) == (P[0] + 2*(2*P[1]) + P[2])/6 *)
+(* splines/uniform.knot.slip (corrected) *)
 Definition F (P : Z -> R) (s : Z) : R :=
   sum 0%Z 3%Z (fun i => U (IZR s) i 3%Z * P i).
 Definition statement : Prop :=
@@ -148,9 +132,7 @@ exists (P : Z -> R),
 End uniform_knot_slip_corrected.
 
 Module knots_C1.
-(* splines/knots.C1, At a knot
-   printed: Quadratic: F(t_3) = G(t_3), F'(t_3) = G'(t_3)
-   stated: F(t[3]) == G(t[3]) and F'(t[3]) == G'(t[3]) *)
+(* splines/knots.C1 *)
 Definition G (P : Z -> R) (t : Z -> R) (x : R) : R :=
   N_ t x 3%Z 0%Z 2%Z * P 1%Z + N_ t x 3%Z 1%Z 2%Z * P 2%Z + N_ t x 3%Z 2%Z 2%Z * P 3%Z.
 Definition statement : Prop :=
@@ -181,9 +163,7 @@ exists (P : Z -> R) (t : Z -> R),
 End knots_C1.
 
 Module knots_C1_value.
-(* splines/knots.C1.value, At a knot
-   printed: F'(t_3) = 2(P_2 - P_1)/(t_4 - t_2)
-   stated: F'(t[3]) == 2*(P[2] - P[1])/(t[4] - t[2]) *)
+(* splines/knots.C1.value *)
 Definition statement : Prop :=
 forall (P : Z -> R) (t : Z -> R),
   t 1%Z < t 2%Z ->
@@ -204,9 +184,7 @@ exists (P : Z -> R) (t : Z -> R),
 End knots_C1_value.
 
 Module knots_C1_value_slip.
-(* splines/knots.C1.value.slip, At a knot
-   printed: A common slip: F'(t_3) = 2(P_2 - P_1)/(t_4 - t_3)
-   stated: F'(t[3]) == 2*(P[2] - P[1])/(t[4] - t[3]) *)
+(* splines/knots.C1.value.slip *)
 Definition statement : Prop :=
 forall (P : Z -> R) (t : Z -> R),
   t 1%Z < t 2%Z ->
@@ -220,9 +198,7 @@ forall (P : Z -> R) (t : Z -> R),
 End knots_C1_value_slip.
 
 Module knots_C1_value_slip_corrected.
-(* splines/knots.C1.value.slip (corrected), At a knot
-   printed: A common slip: F'(t_3) = 2(P_2 - P_1)/(t_4 - t_3)
-   stated: F'(t[3]) == 2*(P[2] - P[1])/(t[4] - t[3-1]) *)
+(* splines/knots.C1.value.slip (corrected) *)
 Definition statement : Prop :=
 forall (P : Z -> R) (t : Z -> R),
   t 1%Z < t 2%Z ->
@@ -245,9 +221,7 @@ exists (P : Z -> R) (t : Z -> R),
 End knots_C1_value_slip_corrected.
 
 Module knots_C2.
-(* splines/knots.C2, At a knot
-   printed: Cubic: C(t_4) = E(t_4), C'(t_4) = E'(t_4), C''(t_4) = E''(t_4)
-   stated: C(t[4]) == E(t[4]) and C'(t[4]) == E'(t[4]) and C''(t[4]) == E''(t[4]) *)
+(* splines/knots.C2 *)
 Definition C_ (P : Z -> R) (t : Z -> R) (x : R) : R :=
   N_ t x 3%Z 0%Z 3%Z * P 0%Z + N_ t x 3%Z 1%Z 3%Z * P 1%Z + N_ t x 3%Z 2%Z 3%Z * P 2%Z + N_ t x 3%Z 3%Z 3%Z * P 3%Z.
 Definition E_ (P : Z -> R) (t : Z -> R) (x : R) : R :=
@@ -290,9 +264,7 @@ exists (P : Z -> R) (t : Z -> R),
 End knots_C2.
 
 Module knots_convex.
-(* splines/knots.convex, At a knot
-   printed: F(t_3) = ((t_4 - t_3)P_1 + (t_3 - t_2)P_2)/(t_4 - t_2)
-   stated: F(t[3]) == ((t[4] - t[3])*P[1] + (t[3] - t[2])*P[2])/(t[4] - t[2]) *)
+(* splines/knots.convex *)
 Definition statement : Prop :=
 forall (P : Z -> R) (t : Z -> R),
   t 1%Z < t 2%Z ->

@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module uniform_bezier.
-(* splines/uniform.bezier, Bézier points
-   printed: The inner Bézier points of F: F'(0) = 3(b_1 - F(0)) with b_1 = (2P_1 + P_2)/3
-   stated: F'(0) == 3*((2*P[1] + P[2])/3 - F(0)) *)
+(* splines/uniform.bezier *)
 Definition U (s : R) (i : Z) (k : Z) : R :=
   counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition F (P : Z -> R) (s : R) : R :=

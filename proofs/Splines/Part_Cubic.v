@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module uniform_cubic.
-(* splines/uniform.cubic, Cubic
-   printed: The pieces are (1 - s)³/6, (3s³ - 6s² + 4)/6, (-3s³ + 3s² + 3s + 1)/6, s³/6.
-   stated: [U[0,3](s), U[1,3](s), U[2,3](s), U[3,3](s)] == [(1 - s)^3/6, (3*s^3 - 6*s^2 + 4)/6, (-3*s^3 + 3*s^2 + 3*s + 1)/6, s^3/6] *)
+(* splines/uniform.cubic *)
 Definition statement : Prop :=
 forall (s : R),
   0 <= s <= 1 ->
@@ -22,9 +20,7 @@ exists (s : R),
 End uniform_cubic.
 
 Module uniform_cubic_slip.
-(* splines/uniform.cubic.slip, Cubic
-   printed: A common slip in the second piece: (3s³ - 6s² + 3)/6
-   stated: U[1,3](s) == (3*s^3 - 6*s^2 + 3)/6 *)
+(* splines/uniform.cubic.slip *)
 Definition statement : Prop :=
 forall (s : R),
   0 <= s <= 1 ->
@@ -32,9 +28,7 @@ forall (s : R),
 End uniform_cubic_slip.
 
 Module uniform_cubic_slip_corrected.
-(* splines/uniform.cubic.slip (corrected), Cubic
-   printed: A common slip in the second piece: (3s³ - 6s² + 3)/6
-   stated: U[1,3](s) == (3*s^3 - 6*s^2 + 4)/6 *)
+(* splines/uniform.cubic.slip (corrected) *)
 Definition statement : Prop :=
 forall (s : R),
   0 <= s <= 1 ->

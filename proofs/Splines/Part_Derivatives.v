@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module uniform_rate.
-(* splines/uniform.rate, Derivatives
-   printed: U_{2,3}' = U_{1,2} - U_{2,2}
-   stated: D(U[2,3](s), s) == U[1,2](s) - U[2,2](s) *)
+(* splines/uniform.rate *)
 Definition U (s : R) (i : Z) (k : Z) : R :=
   counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition statement : Prop :=
@@ -24,9 +22,7 @@ exists (s : R),
 End uniform_rate.
 
 Module knots_rate.
-(* splines/knots.rate, Derivatives
-   printed: N_{1,2}' = 2(N_{0,1}/(t_3 - t_1) - N_{1,1}/(t_4 - t_2)) on the span of t_2 and t_3
-   stated: D(N[1,2](x, 2), x) == 2*(N[0,1](x, 2)/(t[3] - t[1]) - N[1,1](x, 2)/(t[4] - t[2])) *)
+(* splines/knots.rate *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -47,9 +43,7 @@ exists (t : Z -> R) (x : R),
 End knots_rate.
 
 Module knots_rate_slip.
-(* splines/knots.rate.slip, Derivatives
-   printed: A common slip: N_{1,2}' = 2(N_{0,1}/(t_3 - t_2) - N_{1,1}/(t_4 - t_2))
-   stated: D(N[1,2](x, 2), x) == 2*(N[0,1](x, 2)/(t[3] - t[2]) - N[1,1](x, 2)/(t[4] - t[2])) *)
+(* splines/knots.rate.slip *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -62,9 +56,7 @@ forall (t : Z -> R) (x : R),
 End knots_rate_slip.
 
 Module knots_rate_slip_corrected.
-(* splines/knots.rate.slip (corrected), Derivatives
-   printed: A common slip: N_{1,2}' = 2(N_{0,1}/(t_3 - t_2) - N_{1,1}/(t_4 - t_2))
-   stated: D(N[1,2](x, 2), x) == 2*(N[0,1](x, 2)/(t[3] - t[2-1]) - N[1,1](x, 2)/(t[4] - t[2])) *)
+(* splines/knots.rate.slip (corrected) *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->

@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module uniform_unity.
-(* splines/uniform.unity, Partition of unity
-   printed: The functions of degree 2, and those of degree 3, add up to 1.
-   stated: sum(i, 0, 2, U[i,2](s)) == 1 and sum(i, 0, 3, U[i,3](s)) == 1 *)
+(* splines/uniform.unity *)
 Definition U (s : R) (i : Z) (k : Z) : R :=
   counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition statement : Prop :=
@@ -24,9 +22,7 @@ exists (s : R),
 End uniform_unity.
 
 Module knots_unity_quadratic.
-(* splines/knots.unity.quadratic, Partition of unity
-   printed: The functions of degree 2 on the span of t_2 and t_3 add up to 1.
-   stated: sum(i, 0, 2, N[i,2](x, 2)) == 1 *)
+(* splines/knots.unity.quadratic *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -47,9 +43,7 @@ exists (t : Z -> R) (x : R),
 End knots_unity_quadratic.
 
 Module knots_unity_cubic.
-(* splines/knots.unity.cubic, Partition of unity
-   printed: The functions of degree 3 on the span of t_3 and t_4 add up to 1.
-   stated: sum(i, 0, 3, N[i,3](x, 3)) == 1 *)
+(* splines/knots.unity.cubic *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -80,9 +74,7 @@ exists (t : Z -> R) (x : R),
 End knots_unity_cubic.
 
 Module knots_unity_equal.
-(* splines/knots.unity.equal, Partition of unity
-   printed: If knots may be equal, the functions of degree 2 add up to 1 where the divisors do not vanish.
-   stated: sum(i, 0, 2, N[i,2](x, 2)) == 1 *)
+(* splines/knots.unity.equal *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   (forall i : Z, (0 <= i <= 2)%Z -> t 3%Z - t 2%Z <> 0) ->

@@ -11,9 +11,7 @@ End Definitions.
 Import Definitions.
 
 Module uniform_greville.
-(* splines/uniform.greville, Polynomials
-   printed: The abscissae of Greville for degree 3: U_{1,3} + 2 U_{2,3} + 3 U_{3,3} = s + 1
-   stated: sum(i, 0, 3, i*U[i,3](s)) == s + 1 *)
+(* splines/uniform.greville *)
 Definition statement : Prop :=
 forall (s : R),
   0 <= s <= 1 ->
@@ -24,9 +22,7 @@ exists (s : R),
 End uniform_greville.
 
 Module uniform_marsden.
-(* splines/uniform.marsden, Polynomials
-   printed: s² = sum ((i - 1)² - 1/3) U_{i,3}
-   stated: sum(i, 0, 3, ((i - 1)^2 - 1/3)*U[i,3](s)) == s^2 *)
+(* splines/uniform.marsden *)
 Definition statement : Prop :=
 forall (s : R),
   0 <= s <= 1 ->
@@ -37,9 +33,7 @@ exists (s : R),
 End uniform_marsden.
 
 Module uniform_marsden_slip.
-(* splines/uniform.marsden.slip, Polynomials
-   printed: A common slip: s² = sum (i - 1)² U_{i,3}
-   stated: sum(i, 0, 3, (i - 1)^2*U[i,3](s)) == s^2 *)
+(* splines/uniform.marsden.slip *)
 Definition statement : Prop :=
 forall (s : R),
   0 <= s <= 1 ->
@@ -47,9 +41,7 @@ forall (s : R),
 End uniform_marsden_slip.
 
 Module knots_greville.
-(* splines/knots.greville, Polynomials
-   printed: x = sum (t_{i+1} + t_{i+2})/2 N_{i,2} for degree 2 on the span of t_2 and t_3
-   stated: sum(i, 0, 2, (t[i+1] + t[i+2])/2*N[i,2](x, 2)) == x *)
+(* splines/knots.greville *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -74,9 +66,7 @@ exists (t : Z -> R) (x : R),
 End knots_greville.
 
 Module knots_marsden.
-(* splines/knots.marsden, Polynomials
-   printed: Marsden, degree 2 on the span of t_2 and t_3: (y - x)² = sum (y - t_{i+1})(y - t_{i+2}) N_{i,2}
-   stated: sum(i, 0, 2, (y - t[i+1])*(y - t[i+2])*N[i,2](x, 2)) == (y - x)^2 *)
+(* splines/knots.marsden *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R) (y : R),
   t 1%Z < t 2%Z ->
@@ -101,9 +91,7 @@ exists (t : Z -> R) (x : R) (y : R),
 End knots_marsden.
 
 Module knots_marsden_cubic.
-(* splines/knots.marsden.cubic, Polynomials
-   printed: Marsden, degree 3 on the span of t_3 and t_4: (y - x)³ = sum (y - t_{i+1})(y - t_{i+2})(y - t_{i+3}) N_{i,3}
-   stated: sum(i, 0, 3, (y - t[i+1])*(y - t[i+2])*(y - t[i+3])*N[i,3](x, 3)) == (y - x)^3 *)
+(* splines/knots.marsden.cubic *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R) (y : R),
   t 1%Z < t 2%Z ->

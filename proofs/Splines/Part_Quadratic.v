@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module uniform_quadratic.
-(* splines/uniform.quadratic, Quadratic
-   printed: The pieces are (1 - s)²/2, 1/2 + s(1 - s), s²/2.
-   stated: [U[0,2](s), U[1,2](s), U[2,2](s)] == [(1 - s)^2/2, 1/2 + s*(1 - s), s^2/2] *)
+(* splines/uniform.quadratic *)
 Definition U (s : R) (i : Z) (k : Z) : R :=
   counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition statement : Prop :=

@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module uniform_line.
-(* splines/uniform.line, Shape
-   printed: If P_0, ..., P_3 are equally spaced points of a line, F(s) runs through it at constant speed: F(s) = P_1 + s(P_1 - P_0).
-   stated: F(s) == P[1] + s*(P[1] - P[0]) *)
+(* splines/uniform.line *)
 Definition U (s : R) (i : Z) (k : Z) : R :=
   counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition F (P : Z -> R) (s : R) : R :=

@@ -11,9 +11,7 @@ End Definitions.
 Import Definitions.
 
 Module uniform_nonnegative.
-(* splines/uniform.nonnegative, Signs
-   printed: U_{i,3}(s) >= 0 for 0 <= i <= 3 and 0 <= s <= 1
-   stated: U[i,3](s) >= 0 *)
+(* splines/uniform.nonnegative *)
 Definition statement : Prop :=
 forall (i : Z) (s : R),
   (0 <= i <= 3)%Z ->
@@ -26,9 +24,7 @@ exists (i : Z) (s : R),
 End uniform_nonnegative.
 
 Module uniform_bound.
-(* splines/uniform.bound, Signs
-   printed: U_{i,3}(s) <= 2/3 for 0 <= i <= 3 and 0 <= s <= 1
-   stated: U[i,3](s) <= 2/3 *)
+(* splines/uniform.bound *)
 Definition statement : Prop :=
 forall (i : Z) (s : R),
   (0 <= i <= 3)%Z ->
@@ -41,9 +37,7 @@ exists (i : Z) (s : R),
 End uniform_bound.
 
 Module uniform_bound_slip.
-(* splines/uniform.bound.slip, Signs
-   printed: A common slip: U_{i,3}(s) <= 1/2
-   stated: U[i,3](s) <= 1/2 *)
+(* splines/uniform.bound.slip *)
 Definition statement : Prop :=
 forall (i : Z) (s : R),
   (0 <= i <= 3)%Z ->
@@ -52,9 +46,7 @@ forall (i : Z) (s : R),
 End uniform_bound_slip.
 
 Module knots_nonnegative_ends.
-(* splines/knots.nonnegative.ends, Signs
-   printed: N_{0,2}, N_{2,2} >= 0 on the span of t_2 and t_3
-   stated: N[0,2](x, 2) >= 0 and N[2,2](x, 2) >= 0 *)
+(* splines/knots.nonnegative.ends *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -79,9 +71,7 @@ exists (t : Z -> R) (x : R),
 End knots_nonnegative_ends.
 
 Module knots_nonnegative_middle.
-(* splines/knots.nonnegative.middle, Signs
-   printed: N_{1,2} > 0 inside the span of t_2 and t_3, by the gaps p, q, r, v > 0 between t_1, t_2, x, t_3, t_4
-   stated: N[1,2](x, 2) > 0 *)
+(* splines/knots.nonnegative.middle *)
 Definition statement : Prop :=
 forall (p : R) (q : R) (r : R) (t : Z -> R) (v : R) (x : R),
   0 < p ->
@@ -112,9 +102,7 @@ exists (p : R) (q : R) (r : R) (t : Z -> R) (v : R) (x : R),
 End knots_nonnegative_middle.
 
 Module knots_nonnegative_outside.
-(* splines/knots.nonnegative.outside, Signs
-   printed: A common slip: N_{1,2} >= 0 for all x between t_1 and t_4
-   stated: N[1,2](x, 2) >= 0 *)
+(* splines/knots.nonnegative.outside *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -129,9 +117,7 @@ forall (t : Z -> R) (x : R),
 End knots_nonnegative_outside.
 
 Module knots_nonnegative_cubic.
-(* splines/knots.nonnegative.cubic, Signs
-   printed: N_{0,3}, N_{3,3} >= 0 on the span of t_3 and t_4
-   stated: N[0,3](x, 3) >= 0 and N[3,3](x, 3) >= 0 *)
+(* splines/knots.nonnegative.cubic *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->

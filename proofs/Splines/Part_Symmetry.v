@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module uniform_symmetry.
-(* splines/uniform.symmetry, Symmetry
-   printed: U_{i,3}(1 - s) = U_{3-i,3}(s) for 0 <= i <= 3
-   stated: U[i,3](1 - s) == U[3-i,3](s) *)
+(* splines/uniform.symmetry *)
 Definition U (s : R) (i : Z) (k : Z) : R :=
   counted (fun i_ k_ => (IZR i_ + 1 - s) / IZR k_) (fun i_ k_ => (s + IZR k_ - IZR i_) / IZR k_) [1] i k.
 Definition statement : Prop :=

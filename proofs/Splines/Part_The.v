@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module knots_linear.
-(* splines/knots.linear, The functions
-   printed: Degree 1 on the span of t_2 and t_3: (t_3 - x)/(t_3 - t_2), (x - t_2)/(t_3 - t_2)
-   stated: [N[0,1](x, 2), N[1,1](x, 2)] == [(t[3] - x)/(t[3] - t[2]), (x - t[2])/(t[3] - t[2])] *)
+(* splines/knots.linear *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 2%Z < t 3%Z ->
@@ -24,9 +22,7 @@ exists (t : Z -> R) (x : R),
 End knots_linear.
 
 Module knots_quadratic.
-(* splines/knots.quadratic, The functions
-   printed: N_{0,2} = (t_3 - x)²/((t_3 - t_1)(t_3 - t_2)) on the span of t_2 and t_3
-   stated: N[0,2](x, 2) == (t[3] - x)^2/((t[3] - t[1])*(t[3] - t[2])) *)
+(* splines/knots.quadratic *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -49,9 +45,7 @@ exists (t : Z -> R) (x : R),
 End knots_quadratic.
 
 Module knots_quadratic_slip.
-(* splines/knots.quadratic.slip, The functions
-   printed: A common slip: N_{0,2} = (t_3 - x)²/((t_3 - t_1)(t_2 - t_1))
-   stated: N[0,2](x, 2) == (t[3] - x)^2/((t[3] - t[1])*(t[2] - t[1])) *)
+(* splines/knots.quadratic.slip *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -65,9 +59,7 @@ forall (t : Z -> R) (x : R),
 End knots_quadratic_slip.
 
 Module knots_quadratic_slip_corrected.
-(* splines/knots.quadratic.slip (corrected), The functions
-   printed: A common slip: N_{0,2} = (t_3 - x)²/((t_3 - t_1)(t_2 - t_1))
-   stated: N[0,2](x, 2) == -((t[3] - x)^2/((t[3] - t[1])*(t[2] - t[3]))) *)
+(* splines/knots.quadratic.slip (corrected) *)
 Definition statement : Prop :=
 forall (t : Z -> R) (x : R),
   t 1%Z < t 2%Z ->
@@ -90,9 +82,7 @@ exists (t : Z -> R) (x : R),
 End knots_quadratic_slip_corrected.
 
 Module knots_span.
-(* splines/knots.span, The functions
-   printed: On every span t_j, t_{j+1} the functions of degree 2 add up to 1, for j = 2 and j = 3.
-   stated: sum(i, 0, 2, N[i,2](x, j)) == 1 *)
+(* splines/knots.span *)
 Definition statement : Prop :=
 forall (j : Z) (t : Z -> R) (x : R),
   (2 <= j <= 3)%Z ->

@@ -15,9 +15,7 @@ End Definitions.
 Import Definitions.
 
 Module uniform_two_scale_quadratic.
-(* splines/uniform.two.scale.quadratic, Two scales
-   printed: Chaikin: A(s/2) is the spline with the points (3P_0 + P_1)/4, (P_0 + 3P_1)/4, (3P_1 + P_2)/4.
-   stated: A(s/2) == U[0,2](s)*(3*P[0] + P[1])/4 + U[1,2](s)*(P[0] + 3*P[1])/4 + U[2,2](s)*(3*P[1] + P[2])/4 *)
+(* splines/uniform.two.scale.quadratic *)
 Definition statement : Prop :=
 forall (P : Z -> R) (s : R),
   0 <= s <= 1 ->
@@ -30,9 +28,7 @@ exists (P : Z -> R) (s : R),
 End uniform_two_scale_quadratic.
 
 Module uniform_two_scale_cubic.
-(* splines/uniform.two.scale.cubic, Two scales
-   printed: F(s/2) is the spline with the points (P_0 + P_1)/2, (P_0 + 6P_1 + P_2)/8, (P_1 + P_2)/2, (P_1 + 6P_2 + P_3)/8.
-   stated: F(s/2) == U[0,3](s)*(P[0] + P[1])/2 + U[1,3](s)*(P[0] + 6*P[1] + P[2])/8 + U[2,3](s)*(P[1] + P[2])/2 + U[3,3](s)*(P[1] + 6*P[2] + P[3])/8 *)
+(* splines/uniform.two.scale.cubic *)
 Definition F (P : Z -> R) (s : R) : R :=
   sum 0%Z 3%Z (fun i => U s i 3%Z * P i).
 Definition statement : Prop :=
@@ -47,9 +43,7 @@ exists (P : Z -> R) (s : R),
 End uniform_two_scale_cubic.
 
 Module uniform_two_scale_slip.
-(* splines/uniform.two.scale.slip, Two scales
-   printed: A common slip: the points of A(s/2) are (2P_0 + P_1)/3, (P_0 + 2P_1)/3, (2P_1 + P_2)/3.
-   stated: A(s/2) == U[0,2](s)*(2*P[0] + P[1])/3 + U[1,2](s)*(P[0] + 2*P[1])/3 + U[2,2](s)*(2*P[1] + P[2])/3 *)
+(* splines/uniform.two.scale.slip *)
 Definition statement : Prop :=
 forall (P : Z -> R) (s : R),
   0 <= s <= 1 ->
@@ -58,9 +52,7 @@ forall (P : Z -> R) (s : R),
 End uniform_two_scale_slip.
 
 Module clamped_unity.
-(* splines/clamped.unity, Two spans
-   printed: At a place x of either span, with the inner knot m, the functions add up to 1.
-   stated: (m - x)^2/m^2 + (m - x)*x/m^2 + (1 - x)*x/m + x^2/m == 1 and (1 - x)^2/(1 - m) + (x - m)*(1 - x)/(1 - m)^2 + (1 - x)*x/(1 - m) + (x - m)^2/(1 - m)^2 == 1 *)
+(* splines/clamped.unity *)
 Definition statement : Prop :=
 forall (m : R) (x : R),
   0 < m < 1 ->
@@ -79,9 +71,7 @@ exists (m : R) (x : R),
 End clamped_unity.
 
 Module clamped_ends.
-(* splines/clamped.ends, Two spans
-   printed: F(0) = P_0, G(1) = P_3
-   stated: F(0) == P[0] and G(1) == P[3] *)
+(* splines/clamped.ends *)
 Definition F (P : Z -> R) (m : R) (x : Z) : R :=
   (m - IZR x) ^ 2 / m ^ 2 * P 0%Z + ((m - IZR x) * IZR x / m ^ 2 + (1 - IZR x) * IZR x / m) * P 1%Z + IZR x ^ 2 / m * P 2%Z.
 Definition G (P : Z -> R) (m : R) (x : Z) : R :=
@@ -104,9 +94,7 @@ exists (P : Z -> R) (m : R),
 End clamped_ends.
 
 Module clamped_tangents.
-(* splines/clamped.tangents, Two spans
-   printed: F'(0) = 2(P_1 - P_0)/m, G'(1) = 2(P_3 - P_2)/(1 - m)
-   stated: F'(0) == 2*(P[1] - P[0])/m and G'(1) == 2*(P[3] - P[2])/(1 - m) *)
+(* splines/clamped.tangents *)
 Definition statement : Prop :=
 forall (P : Z -> R) (m : R),
   0 < m < 1 ->
@@ -125,9 +113,7 @@ exists (P : Z -> R) (m : R),
 End clamped_tangents.
 
 Module clamped_tangents_slip.
-(* splines/clamped.tangents.slip, Two spans
-   printed: A common slip: F'(0) = 2(P_1 - P_0)
-   stated: F'(0) == 2*(P[1] - P[0]) *)
+(* splines/clamped.tangents.slip *)
 Definition statement : Prop :=
 forall (P : Z -> R) (m : R),
   0 < m < 1 ->
@@ -137,9 +123,7 @@ forall (P : Z -> R) (m : R),
 End clamped_tangents_slip.
 
 Module clamped_C1.
-(* splines/clamped.C1, Two spans
-   printed: F(m) = G(m), F'(m) = G'(m)
-   stated: F(m) == G(m) and F'(m) == G'(m) *)
+(* splines/clamped.C1 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (m : R),
   0 < m < 1 ->
@@ -158,9 +142,7 @@ exists (P : Z -> R) (m : R),
 End clamped_C1.
 
 Module clamped_knot.
-(* splines/clamped.knot, Two spans
-   printed: F(m) = (1 - m)P_1 + m P_2
-   stated: F(m) == (1 - m)*P[1] + m*P[2] *)
+(* splines/clamped.knot *)
 Definition statement : Prop :=
 forall (P : Z -> R) (m : R),
   0 < m < 1 ->
@@ -175,9 +157,7 @@ exists (P : Z -> R) (m : R),
 End clamped_knot.
 
 Module clamped_C2.
-(* splines/clamped.C2, Two spans
-   printed: A common slip: F''(m) = G''(m)
-   stated: F''(m) == G''(m) *)
+(* splines/clamped.C2 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (m : R),
   0 < m < 1 ->

@@ -3,6 +3,15 @@ From Torse Require Import Defs.
 From Coq Require Import Lra.
 Open Scope R_scope.
 
+(* rewriting by an equation, or by several, where they occur *)
+Ltac use E := lazymatch E with (?A, ?B) => use A; use B | _ => try rewrite E end.
+Ltac use_at E H := lazymatch E with (?A, ?B) => use_at A H; use_at B H | _ => try rewrite E in H end.
+(* a tactic that begins with a match would run where it is passed, so that idtac stands before it *)
+(* the definition P is C, where the definitions in it are replaced first; or P, if it is not *)
+Ltac same_after P C tac := first [ exact (ltac:(unfold P; tac; reflexivity) : P = C) | exact (eq_refl P) ].
+Tactic Notation "same" constr(P) constr(C) := same_after P C ltac:(idtac).
+Tactic Notation "same" constr(P) constr(C) "by" constr(E) := same_after P C ltac:(idtac; use E).
+
 (* what is assumed, or plain: divisors and radicands of witnesses *)
 Ltac plain := first [ assumption | apply Rle_0_sqr | lra | nra ].
 

@@ -19,9 +19,7 @@ End Definitions.
 Import Definitions.
 
 Module striction_shortest.
-(* torses/striction.shortest, Central point
-   printed: N · N has the derivative zero by v at v = s(u).
-   stated: at(D(dot(N(u, v), N(u, v)), v), v, s(u)) == 0 *)
+(* torses/striction.shortest *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -42,9 +40,7 @@ exists (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End striction_shortest.
 
 Module striction_growth.
-(* torses/striction.growth, Central point
-   printed: N · N is smallest there: its second derivative by v is not negative.
-   stated: D(dot(N(u, v), N(u, v)), v, 2) >= 0 *)
+(* torses/striction.growth *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -55,9 +51,7 @@ forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End striction_growth.
 
 Module striction_length.
-(* torses/striction.length, Central point
-   printed: At the central point |N|² |r' × r|² = δ² |r|².
-   stated: at(dot(N(u, v), N(u, v)), v, s(u))*dot(cross(r'(u), r(u)), cross(r'(u), r(u))) == delta(u)^2*dot(r(u), r(u)) *)
+(* torses/striction.length *)
 Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
   det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
@@ -80,9 +74,7 @@ exists (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End striction_length.
 
 Module striction_scaled.
-(* torses/striction.scaled, Central point
-   printed: With directions a r instead of r the central points are the same.
-   stated: -dot(cross(c'(u), a(u)*r(u)), cross(D(a(u)*r(u), u), a(u)*r(u)))/dot(cross(D(a(u)*r(u), u), a(u)*r(u)), cross(D(a(u)*r(u), u), a(u)*r(u)))*a(u) == s(u) *)
+(* torses/striction.scaled *)
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -105,9 +97,7 @@ exists (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_
 End striction_scaled.
 
 Module striction_unit.
-(* torses/striction.unit, Central point
-   printed: For |r| = 1 the curve of striction S_1 is at right angles to r': S_1' · r' = 0.
-   stated: dot(S1'(u), r'(u)) == 0 *)
+(* torses/striction.unit *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -134,9 +124,7 @@ exists (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End striction_unit.
 
 Module striction_unit_slip.
-(* torses/striction.unit.slip, Central point
-   printed: A slip: S_1' · r' = 0 for rulings of any length.
-   stated: dot(S1'(u), r'(u)) == 0 *)
+(* torses/striction.unit.slip *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in

@@ -11,9 +11,7 @@ End Definitions.
 Import Definitions.
 
 Module cone_torse.
-(* torses/cone.torse, Cones
-   printed: With the apex p on all rulings, and p + a r for the directrix, the surface is a torse.
-   stated: det([D(p + a(u)*r(u), u), r(u), r'(u)]) == 0 *)
+(* torses/cone.torse *)
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (p'1 p'2 p'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let p := [p'1; p'2; p'3] in
@@ -23,9 +21,7 @@ forall (a'_u_ : R) (a_u_ : R) (p'1 p'2 p'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r
 End cone_torse.
 
 Module cone_apex.
-(* torses/cone.apex, Cones
-   printed: There the surface is singular: its normal is zero at v = -a(u).
-   stated: at(cross(D(Y)(u, v), D(Y, v)(u, v)), v, -a(u)) == 0 *)
+(* torses/cone.apex *)
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (p'1 p'2 p'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let p := [p'1; p'2; p'3] in
@@ -35,9 +31,7 @@ forall (a'_u_ : R) (a_u_ : R) (p'1 p'2 p'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r
 End cone_apex.
 
 Module cone_apex_slip.
-(* torses/cone.apex.slip, Cones
-   printed: A slip: its normal is zero at v = a(u).
-   stated: at(cross(D(Y)(u, v), D(Y, v)(u, v)), v, a(u)) == 0 *)
+(* torses/cone.apex.slip *)
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (p'1 p'2 p'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let p := [p'1; p'2; p'3] in
@@ -47,9 +41,7 @@ forall (a'_u_ : R) (a_u_ : R) (p'1 p'2 p'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r
 End cone_apex_slip.
 
 Module planes_cone.
-(* torses/planes.cone, Cones
-   printed: Planes through one point x envelop a cone: the edge of regression is this point.
-   stated: ex(u) == x *)
+(* torses/planes.cone *)
 Definition W (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) : R :=
   det [n_u_; n'_u_; n''_u_].
 Definition dx (n_u_ : list R) (x : list R) : R :=

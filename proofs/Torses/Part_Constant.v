@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module slope_torse.
-(* torses/slope.torse, Constant slope
-   printed: The lines of slope h on the normals of a plane curve form a torse: R = [-y' w, x' w, h] with w² (x'² + y'²) = 1, (w² (x'² + y'²))' = 0.
-   stated: det([[x'(u), y'(u), 0], R(u), R'(u)])*w(u) == 0 *)
+(* torses/slope.torse *)
 Definition R_ (h : R) (w_u_ : R) (x'_u_ : R) (y'_u_ : R) : list R :=
   [- y'_u_ * w_u_; x'_u_ * w_u_; h].
 Definition R__ (h : R) (w'_u_ : R) (w_u_ : R) (x''_u_ : R) (x'_u_ : R) (y''_u_ : R) (y'_u_ : R) (u : R) : list R :=

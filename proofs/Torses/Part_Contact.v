@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module ruled_touch.
-(* torses/ruled.touch, Contact
-   printed: Two ruled surfaces with a ruling in common that touch at three of its points touch along all of it: the product of their normals is a polynomial of second degree in v, with the highest coefficient (r' × r) × (q' × q).
-   stated: D(cross(N(u, v), cross(D(b(u) + v*q(u), u), q(u))), v, 2) == 2*cross(cross(r'(u), r(u)), cross(q'(u), q(u))) *)
+(* torses/ruled.touch *)
 Definition X (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
   vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
 Definition X_ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=

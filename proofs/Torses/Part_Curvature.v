@@ -23,9 +23,7 @@ End Definitions.
 Import Definitions.
 
 Module ruled_asymptotic.
-(* torses/ruled.asymptotic, Curvature
-   printed: The rulings are asymptotic lines: X_vv · N = 0.
-   stated: K(u, v) == 0 *)
+(* torses/ruled.asymptotic *)
 Definition X (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
   vadd c_u_ (vscale v r_u_).
 Definition N_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : list R :=
@@ -42,9 +40,7 @@ forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End ruled_asymptotic.
 
 Module ruled_mixed.
-(* torses/ruled.mixed, Curvature
-   printed: X_uv · N = δ
-   stated: M(u, v) == delta(u) *)
+(* torses/ruled.mixed *)
 Definition X (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
   vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
 Definition X_ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
@@ -63,9 +59,7 @@ forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End ruled_mixed.
 
 Module ruled_lagrange.
-(* torses/ruled.lagrange, Curvature
-   printed: E G - F² = N · N
-   stated: E(u, v)*G(u, v) - F(u, v)^2 == dot(N(u, v), N(u, v)) *)
+(* torses/ruled.lagrange *)
 Definition X (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
   vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
 Definition E_ (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (u : R) (v : R) : R :=
@@ -88,9 +82,7 @@ forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End ruled_lagrange.
 
 Module ruled_gauss.
-(* torses/ruled.gauss, Curvature
-   printed: The numerator of the Gauss curvature: (X_uu · N)(X_vv · N) - (X_uv · N)² = -δ²
-   stated: L(u, v)*K(u, v) - M(u, v)^2 == -delta(u)^2 *)
+(* torses/ruled.gauss *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -103,9 +95,7 @@ forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End ruled_gauss.
 
 Module ruled_gauss_curvature.
-(* torses/ruled.gauss.curvature, Curvature
-   printed: Where N is not zero the Gauss curvature is -δ²/(N · N)².
-   stated: (L(u, v)*K(u, v) - M(u, v)^2)/(E(u, v)*G(u, v) - F(u, v)^2)^2 == -delta(u)^2/dot(N(u, v), N(u, v))^2 *)
+(* torses/ruled.gauss.curvature *)
 Definition X (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
   vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
 Definition X_ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
@@ -152,9 +142,7 @@ exists (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End ruled_gauss_curvature.
 
 Module ruled_gauss_sign.
-(* torses/ruled.gauss.sign, Curvature
-   printed: No ruled surface has a point of positive Gauss curvature.
-   stated: L(u, v)*K(u, v) - M(u, v)^2 <= 0 *)
+(* torses/ruled.gauss.sign *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -167,9 +155,7 @@ forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End ruled_gauss_sign.
 
 Module ruled_gauss_slip.
-(* torses/ruled.gauss.slip, Curvature
-   printed: A slip: (X_uu · N)(X_vv · N) - (X_uv · N)² = δ²
-   stated: L(u, v)*K(u, v) - M(u, v)^2 == delta(u)^2 *)
+(* torses/ruled.gauss.slip *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -182,9 +168,7 @@ forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End ruled_gauss_slip.
 
 Module ruled_gauss_slip_corrected.
-(* torses/ruled.gauss.slip (corrected), Curvature
-   printed: A slip: (X_uu · N)(X_vv · N) - (X_uv · N)² = δ²
-   stated: L(u, v)*K(u, v) - M(u, v)^2 == -delta(u)^2 *)
+(* torses/ruled.gauss.slip (corrected) *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in

@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module curve_chain.
-(* torses/curve.chain, Curves
-   printed: C'' = c''(φ) φ'² + c'(φ) φ''
-   stated: C''(u) == c''(phi(u))*phi'(u)^2 + c'(phi(u))*phi''(u) *)
+(* torses/curve.chain *)
 Definition statement : Prop :=
 forall (c''_phi_u__'1 c''_phi_u__'2 c''_phi_u__'3 : R) (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 : R) (phi''_u_ : R) (phi'_u_ : R) (phi_u_ : R) (u : R),
   let c''_phi_u__ := [c''_phi_u__'1; c''_phi_u__'2; c''_phi_u__'3] in
@@ -15,9 +13,7 @@ forall (c''_phi_u__'1 c''_phi_u__'2 c''_phi_u__'3 : R) (c'_phi_u__'1 c'_phi_u__'
 End curve_chain.
 
 Module curve_chain_slip.
-(* torses/curve.chain.slip, Curves
-   printed: A slip: C'' = c''(φ) φ' + c'(φ) φ''
-   stated: C''(u) == c''(phi(u))*phi'(u) + c'(phi(u))*phi''(u) *)
+(* torses/curve.chain.slip *)
 Definition statement : Prop :=
 forall (c''_phi_u__'1 c''_phi_u__'2 c''_phi_u__'3 : R) (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 : R) (phi''_u_ : R) (phi'_u_ : R) (phi_u_ : R) (u : R),
   let c''_phi_u__ := [c''_phi_u__'1; c''_phi_u__'2; c''_phi_u__'3] in
@@ -27,9 +23,7 @@ forall (c''_phi_u__'1 c''_phi_u__'2 c''_phi_u__'3 : R) (c'_phi_u__'1 c'_phi_u__'
 End curve_chain_slip.
 
 Module curve_chain_slip_corrected.
-(* torses/curve.chain.slip (corrected), Curves
-   printed: A slip: C'' = c''(φ) φ' + c'(φ) φ''
-   stated: C''(u) == c''(phi(u))*phi'(u)^2 + c'(phi(u))*phi''(u) *)
+(* torses/curve.chain.slip (corrected) *)
 Definition statement : Prop :=
 forall (c''_phi_u__'1 c''_phi_u__'2 c''_phi_u__'3 : R) (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 : R) (phi''_u_ : R) (phi'_u_ : R) (phi_u_ : R) (u : R),
   let c''_phi_u__ := [c''_phi_u__'1; c''_phi_u__'2; c''_phi_u__'3] in
@@ -39,9 +33,7 @@ forall (c''_phi_u__'1 c''_phi_u__'2 c''_phi_u__'3 : R) (c'_phi_u__'1 c'_phi_u__'
 End curve_chain_slip_corrected.
 
 Module curve_curvature.
-(* torses/curve.curvature, Curves
-   printed: The square of the curvature, (c' × c'')²/(c' · c')^3, does not depend on the parameter.
-   stated: dot(cross(C'(u), C''(u)), cross(C'(u), C''(u)))/dot(C'(u), C'(u))^3 == k2(phi(u)) *)
+(* torses/curve.curvature *)
 Definition k2 (c''_phi_u__ : list R) (c'_phi_u__ : list R) : R :=
   dot (cross c'_phi_u__ c''_phi_u__) (cross c'_phi_u__ c''_phi_u__) / dot c'_phi_u__ c'_phi_u__ ^ 3.
 Definition statement : Prop :=
@@ -66,9 +58,7 @@ exists (c''_phi_u__'1 c''_phi_u__'2 c''_phi_u__'3 : R) (c'_phi_u__'1 c'_phi_u__'
 End curve_curvature.
 
 Module curve_torsion.
-(* torses/curve.torsion, Curves
-   printed: Nor does the torsion.
-   stated: det([C'(u), C''(u), C'''(u)])/dot(cross(C'(u), C''(u)), cross(C'(u), C''(u))) == tau(phi(u)) *)
+(* torses/curve.torsion *)
 Definition tau (c'''_phi_u__ : list R) (c''_phi_u__ : list R) (c'_phi_u__ : list R) : R :=
   det [c'_phi_u__; c''_phi_u__; c'''_phi_u__] / dot (cross c'_phi_u__ c''_phi_u__) (cross c'_phi_u__ c''_phi_u__).
 Definition statement : Prop :=
@@ -95,9 +85,7 @@ exists (c'''_phi_u__'1 c'''_phi_u__'2 c'''_phi_u__'3 : R) (c''_phi_u__'1 c''_phi
 End curve_torsion.
 
 Module curve_straight.
-(* torses/curve.straight, Curves
-   printed: Where the curvature is zero so is det(c', c'', c''').
-   stated: det([c'(u), c''(u), c'''(u)]) == 0 *)
+(* torses/curve.straight *)
 Definition statement : Prop :=
 forall (c'''_u_'1 c'''_u_'2 c'''_u_'3 : R) (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R),
   let c'''_u_ := [c'''_u_'1; c'''_u_'2; c'''_u_'3] in

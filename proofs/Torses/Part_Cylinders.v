@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module cylinder_torse.
-(* torses/cylinder.torse, Cylinders
-   printed: If the rulings are parallel, r × r' = 0, the surface is a torse.
-   stated: delta(u) == 0 *)
+(* torses/cylinder.torse *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -28,9 +26,7 @@ exists (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'
 End cylinder_torse.
 
 Module cylinder_normal.
-(* torses/cylinder.normal, Cylinders
-   printed: On a cylinder, r' = 0, the normal is the same at all points of a ruling.
-   stated: N(u, v1) == N(u, v2) *)
+(* torses/cylinder.normal *)
 Definition X (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
   vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale v (vadd r_u_ (vscale (1 * u) r'_u_))).
 Definition X_ (c_u_ : list R) (r_u_ : list R) (v : R) : list R :=
@@ -55,9 +51,7 @@ exists (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End cylinder_normal.
 
 Module cylinder_converse_slip.
-(* torses/cylinder.converse.slip, Cylinders
-   printed: A slip: only cylinders are torses.
-   stated: cross(r(u), r'(u)) == 0 *)
+(* torses/cylinder.converse.slip *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in

@@ -11,9 +11,7 @@ End Definitions.
 Import Definitions.
 
 Module striction_parameter.
-(* torses/striction.parameter, Distribution
-   printed: The parameter of distribution p = |r|² δ/|r' × r|² does not depend on the length of r.
-   stated: a(u)^2*dot(r(u), r(u))*det([c'(u), a(u)*r(u), D(a(u)*r(u), u)])/dot(cross(D(a(u)*r(u), u), a(u)*r(u)), cross(D(a(u)*r(u), u), a(u)*r(u))) == p(u) *)
+(* torses/striction.parameter *)
 Definition statement : Prop :=
 forall (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -36,9 +34,7 @@ exists (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_
 End striction_parameter.
 
 Module striction_curvature.
-(* torses/striction.curvature, Distribution
-   printed: At the central point, for |r| = 1, |N|² = p² |r' × r|².
-   stated: at(dot(N(u, v), N(u, v)), v, s(u)) == p(u)^2*dot(cross(r'(u), r(u)), cross(r'(u), r(u))) *)
+(* torses/striction.curvature *)
 Definition s (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
   - dot (cross c'_u_ r_u_) (cross r'_u_ r_u_) / dot (cross r'_u_ r_u_) (cross r'_u_ r_u_).
 Definition X (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=

@@ -17,9 +17,7 @@ End Definitions.
 Import Definitions.
 
 Module regression_singular.
-(* torses/regression.singular, Edge of regression
-   printed: On a torse the normal is zero at the central point.
-   stated: N(u, s(u)) == 0 *)
+(* torses/regression.singular *)
 Definition s (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
   - dot (cross c'_u_ r_u_) (cross r'_u_ r_u_) / dot (cross r'_u_ r_u_) (cross r'_u_ r_u_).
 Definition X (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=
@@ -50,9 +48,7 @@ exists (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End regression_singular.
 
 Module regression_tangent.
-(* torses/regression.tangent, Edge of regression
-   printed: A torse consists of the tangents of its edge of regression: S' × r = 0.
-   stated: cross(S'(u), r(u)) == 0 *)
+(* torses/regression.tangent *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -79,9 +75,7 @@ exists (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End regression_tangent.
 
 Module regression_tangent_slip.
-(* torses/regression.tangent.slip, Edge of regression
-   printed: A slip: S' × r = 0 on every ruled surface.
-   stated: cross(S'(u), r(u)) == 0 *)
+(* torses/regression.tangent.slip *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r''_u_'1 r''_u_'2 r''_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -95,9 +89,7 @@ forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End regression_tangent_slip.
 
 Module planes_edge.
-(* torses/planes.edge, Edge of regression
-   printed: The point of three planes: x = (d n' × n'' + d' n'' × n + d'' n × n')/det(n, n', n'')
-   stated: x == edge(u) *)
+(* torses/planes.edge *)
 Definition statement : Prop :=
 forall (d''_u_ : R) (d'_u_ : R) (d_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R) (x'1 x'2 x'3 : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -122,9 +114,7 @@ exists (d''_u_ : R) (d'_u_ : R) (d_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_
 End planes_edge.
 
 Module planes_edge_in.
-(* torses/planes.edge.in, Edge of regression
-   printed: The point is in the plane and on the ruling: n · e = d, n' · e = d'.
-   stated: [dot(n(u), edge(u)), dot(n'(u), edge(u))] == [d(u), d'(u)] *)
+(* torses/planes.edge.in *)
 Definition statement : Prop :=
 forall (d''_u_ : R) (d'_u_ : R) (d_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -141,9 +131,7 @@ exists (d''_u_ : R) (d'_u_ : R) (d_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_
 End planes_edge_in.
 
 Module planes_edge_tangent.
-(* torses/planes.edge.tangent, Edge of regression
-   printed: Its tangents are the rulings: n · e' = 0, n' · e' = 0.
-   stated: [dot(n(u), edge'(u)), dot(n'(u), edge'(u))] == 0 *)
+(* torses/planes.edge.tangent *)
 Definition W_ (n'''_u_ : list R) (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) (u : R) : R :=
   det [vadd n_u_ (vscale (1 * u) n'_u_); vadd n'_u_ (vscale (1 * u) n''_u_); vadd n''_u_ (vscale (1 * u) n'''_u_)].
 Definition edge (d'''_u_ : R) (d''_u_ : R) (d'_u_ : R) (d_u_ : R) (n'''_u_ : list R) (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) (u : R) (u_ : R) : list R :=
@@ -168,9 +156,7 @@ exists (d'''_u_ : R) (d''_u_ : R) (d'_u_ : R) (d_u_ : R) (n'''_u_'1 n'''_u_'2 n'
 End planes_edge_tangent.
 
 Module planes_edge_osculating.
-(* torses/planes.edge.osculating, Edge of regression
-   printed: Its osculating planes are the planes: n · e'' = 0.
-   stated: dot(n(u), edge''(u)) == 0 *)
+(* torses/planes.edge.osculating *)
 Definition W_ (n''''_u_ : list R) (n'''_u_ : list R) (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) (u : R) : R :=
   det [vadd (vadd n_u_ (vscale (1 * u) n'_u_)) (vscale (1 / 2 * u ^ 2) n''_u_); vadd (vadd n'_u_ (vscale (1 * u) n''_u_)) (vscale (1 / 2 * u ^ 2) n'''_u_); vadd (vadd n''_u_ (vscale (1 * u) n'''_u_)) (vscale (1 / 2 * u ^ 2) n''''_u_)].
 Definition edge (d''''_u_ : R) (d'''_u_ : R) (d''_u_ : R) (d'_u_ : R) (d_u_ : R) (n''''_u_ : list R) (n'''_u_ : list R) (n''_u_ : list R) (n'_u_ : list R) (n_u_ : list R) (u : R) (u_ : R) : list R :=

@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module ruled_directrix.
-(* torses/ruled.directrix, Freedom
-   printed: δ is the same for every other directrix c + a r on the surface.
-   stated: det([D(c(u) + a(u)*r(u), u), r(u), r'(u)]) == delta(u) *)
+(* torses/ruled.directrix *)
 Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
   det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
@@ -24,9 +22,7 @@ forall (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'
 End ruled_directrix.
 
 Module ruled_scaled.
-(* torses/ruled.scaled, Freedom
-   printed: With directions a r instead of r, δ becomes a² δ.
-   stated: det([c'(u), a(u)*r(u), D(a(u)*r(u), u)]) == a(u)^2*delta(u) *)
+(* torses/ruled.scaled *)
 Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
   det [c'_u_; r_u_; r'_u_].
 Definition statement : Prop :=
@@ -38,9 +34,7 @@ forall (a'_u_ : R) (a_u_ : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (r'_u_'1 r'_u_'2 r'_
 End ruled_scaled.
 
 Module ruled_parameter.
-(* torses/ruled.parameter, Freedom
-   printed: With φ(u) for u, δ becomes φ'² δ(φ).
-   stated: det([D(c(phi(u)), u), r(phi(u)), D(r(phi(u)), u)]) == phi'(u)^2*delta(phi(u)) *)
+(* torses/ruled.parameter *)
 Definition statement : Prop :=
 forall (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 : R) (phi'_u_ : R) (phi_u_ : R) (r'_phi_u__'1 r'_phi_u__'2 r'_phi_u__'3 : R) (r_phi_u__'1 r_phi_u__'2 r_phi_u__'3 : R) (u : R),
   let c'_phi_u__ := [c'_phi_u__'1; c'_phi_u__'2; c'_phi_u__'3] in
@@ -51,9 +45,7 @@ forall (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_p
 End ruled_parameter.
 
 Module ruled_parameter_slip.
-(* torses/ruled.parameter.slip, Freedom
-   printed: A slip: with φ(u) for u, δ becomes φ' δ(φ).
-   stated: det([D(c(phi(u)), u), r(phi(u)), D(r(phi(u)), u)]) == phi'(u)*delta(phi(u)) *)
+(* torses/ruled.parameter.slip *)
 Definition statement : Prop :=
 forall (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 : R) (phi'_u_ : R) (phi_u_ : R) (r'_phi_u__'1 r'_phi_u__'2 r'_phi_u__'3 : R) (r_phi_u__'1 r_phi_u__'2 r_phi_u__'3 : R) (u : R),
   let c'_phi_u__ := [c'_phi_u__'1; c'_phi_u__'2; c'_phi_u__'3] in
@@ -64,9 +56,7 @@ forall (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_p
 End ruled_parameter_slip.
 
 Module ruled_parameter_slip_corrected.
-(* torses/ruled.parameter.slip (corrected), Freedom
-   printed: A slip: with φ(u) for u, δ becomes φ' δ(φ).
-   stated: det([D(c(phi(u)), u), r(phi(u)), D(r(phi(u)), u)]) == phi'(u)^2*delta(phi(u)) *)
+(* torses/ruled.parameter.slip (corrected) *)
 Definition statement : Prop :=
 forall (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_phi_u__'3 : R) (phi'_u_ : R) (phi_u_ : R) (r'_phi_u__'1 r'_phi_u__'2 r'_phi_u__'3 : R) (r_phi_u__'1 r_phi_u__'2 r_phi_u__'3 : R) (u : R),
   let c'_phi_u__ := [c'_phi_u__'1; c'_phi_u__'2; c'_phi_u__'3] in
@@ -77,9 +67,7 @@ forall (c'_phi_u__'1 c'_phi_u__'2 c'_phi_u__'3 : R) (c_phi_u__'1 c_phi_u__'2 c_p
 End ruled_parameter_slip_corrected.
 
 Module ruled_ends.
-(* torses/ruled.ends, Freedom
-   printed: Between two curves b and c, with the rulings b - c: det(c', b - c, (b - c)') = det(c', b - c, b').
-   stated: det([c'(u), b(u) - c(u), D(b(u) - c(u), u)]) == det([c'(u), b(u) - c(u), b'(u)]) *)
+(* torses/ruled.ends *)
 Definition statement : Prop :=
 forall (b'_u_'1 b'_u_'2 b'_u_'3 : R) (b_u_'1 b_u_'2 b_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (u : R),
   let b'_u_ := [b'_u_'1; b'_u_'2; b'_u_'3] in
@@ -90,9 +78,7 @@ forall (b'_u_'1 b'_u_'2 b'_u_'3 : R) (b_u_'1 b_u_'2 b_u_'3 : R) (c'_u_'1 c'_u_'2
 End ruled_ends.
 
 Module ruled_start.
-(* torses/ruled.start, Freedom
-   printed: At u = 0 the function c · r has the derivative c'(0) · r(0) + c(0) · r'(0).
-   stated: at(D(dot(c(u), r(u)), u), u, 0) == dot(c'(0), r(0)) + dot(c(0), r'(0)) *)
+(* torses/ruled.start *)
 Definition statement : Prop :=
 forall (c'_0_'1 c'_0_'2 c'_0_'3 : R) (c_0_'1 c_0_'2 c_0_'3 : R) (r'_0_'1 r'_0_'2 r'_0_'3 : R) (r_0_'1 r_0_'2 r_0_'3 : R),
   let c'_0_ := [c'_0_'1; c'_0_'2; c'_0_'3] in

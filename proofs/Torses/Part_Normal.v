@@ -15,9 +15,7 @@ End Definitions.
 Import Definitions.
 
 Module ruled_normal.
-(* torses/ruled.normal, Normal
-   printed: N = c' × r + v r' × r
-   stated: N(u, v) == cross(c'(u), r(u)) + v*cross(r'(u), r(u)) *)
+(* torses/ruled.normal *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -28,9 +26,7 @@ forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End ruled_normal.
 
 Module ruled_turn.
-(* torses/ruled.turn, Normal
-   printed: The normal turns along a ruling by δ: N(u, v_1) × N(u, v_2) = (v_1 - v_2) δ r
-   stated: cross(N(u, v1), N(u, v2)) == (v1 - v2)*delta(u)*r(u) *)
+(* torses/ruled.turn *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v1 : R) (v2 : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -41,9 +37,7 @@ forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End ruled_turn.
 
 Module ruled_turn_slip.
-(* torses/ruled.turn.slip, Normal
-   printed: A slip: N(u, v_1) × N(u, v_2) = (v_1 + v_2) δ r
-   stated: cross(N(u, v1), N(u, v2)) == (v1 + v2)*delta(u)*r(u) *)
+(* torses/ruled.turn.slip *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v1 : R) (v2 : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -54,9 +48,7 @@ forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End ruled_turn_slip.
 
 Module ruled_turn_slip_corrected.
-(* torses/ruled.turn.slip (corrected), Normal
-   printed: A slip: N(u, v_1) × N(u, v_2) = (v_1 + v_2) δ r
-   stated: cross(N(u, v1), N(u, v2)) == (v1 - v2)*delta(u)*r(u) *)
+(* torses/ruled.turn.slip (corrected) *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v1 : R) (v2 : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -67,9 +59,7 @@ forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End ruled_turn_slip_corrected.
 
 Module ruled_chasles.
-(* torses/ruled.chasles, Normal
-   printed: |N(u, v_1) × N(u, v_2)|² = (v_1 - v_2)² δ² |r|²
-   stated: dot(cross(N(u, v1), N(u, v2)), cross(N(u, v1), N(u, v2))) == (v1 - v2)^2*delta(u)^2*dot(r(u), r(u)) *)
+(* torses/ruled.chasles *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v1 : R) (v2 : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in

@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module polar_first.
-(* torses/polar.first, Polar developable
-   printed: The normal planes c' · (p - c) = 0: the derivative by u is c'' · (p - c) - c' · c'.
-   stated: D(dot(c'(u), p - c(u)), u) == dot(c''(u), p - c(u)) - dot(c'(u), c'(u)) *)
+(* torses/polar.first *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (p'1 p'2 p'3 : R) (u : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -16,9 +14,7 @@ forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End polar_first.
 
 Module polar_second.
-(* torses/polar.second, Polar developable
-   printed: The edge of regression, the centres of the osculating spheres: the second derivative is c''' · (p - c) - 3 c' · c''.
-   stated: D(dot(c'(u), p - c(u)), u, 2) == dot(c'''(u), p - c(u)) - 3*dot(c'(u), c''(u)) *)
+(* torses/polar.second *)
 Definition statement : Prop :=
 forall (c'''_u_'1 c'''_u_'2 c'''_u_'3 : R) (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (p'1 p'2 p'3 : R) (u : R),
   let c'''_u_ := [c'''_u_'1; c'''_u_'2; c'''_u_'3] in
@@ -30,9 +26,7 @@ forall (c'''_u_'1 c'''_u_'2 c'''_u_'3 : R) (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_
 End polar_second.
 
 Module polar_second_slip.
-(* torses/polar.second.slip, Polar developable
-   printed: A slip: the second derivative is c''' · (p - c) - 2 c' · c''.
-   stated: D(dot(c'(u), p - c(u)), u, 2) == dot(c'''(u), p - c(u)) - 2*dot(c'(u), c''(u)) *)
+(* torses/polar.second.slip *)
 Definition statement : Prop :=
 forall (c'''_u_'1 c'''_u_'2 c'''_u_'3 : R) (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (p'1 p'2 p'3 : R) (u : R),
   let c'''_u_ := [c'''_u_'1; c'''_u_'2; c'''_u_'3] in
@@ -44,9 +38,7 @@ forall (c'''_u_'1 c'''_u_'2 c'''_u_'3 : R) (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_
 End polar_second_slip.
 
 Module polar_second_slip_corrected.
-(* torses/polar.second.slip (corrected), Polar developable
-   printed: A slip: the second derivative is c''' · (p - c) - 2 c' · c''.
-   stated: D(dot(c'(u), p - c(u)), u, 2) == dot(c'''(u), p - c(u)) - 3*dot(c'(u), c''(u)) *)
+(* torses/polar.second.slip (corrected) *)
 Definition statement : Prop :=
 forall (c'''_u_'1 c'''_u_'2 c'''_u_'3 : R) (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (p'1 p'2 p'3 : R) (u : R),
   let c'''_u_ := [c'''_u_'1; c'''_u_'2; c'''_u_'3] in

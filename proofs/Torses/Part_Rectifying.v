@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module rectifying_contains.
-(* torses/rectifying.contains, Rectifying developable
-   printed: The planes through c at right angles to the principal normals H: their envelope contains the curve, (H · c)' = H' · c.
-   stated: D(dot(H(u), c(u)), u) == dot(H'(u), c(u)) *)
+(* torses/rectifying.contains *)
 Definition H (c'''_u_ : list R) (c''_u_ : list R) (c'_u_ : list R) (u : R) : list R :=
   cross (cross (vadd c'_u_ (vscale (1 * u) c''_u_)) (vadd c''_u_ (vscale (1 * u) c'''_u_))) (vadd c'_u_ (vscale (1 * u) c''_u_)).
 Definition statement : Prop :=
@@ -18,9 +16,7 @@ forall (c'''_u_'1 c'''_u_'2 c'''_u_'3 : R) (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_
 End rectifying_contains.
 
 Module rectifying_geodesic.
-(* torses/rectifying.geodesic, Rectifying developable
-   printed: On it the curve is a geodesic: det(c', c'', H) = 0.
-   stated: det([c'(u), c''(u), H(u)]) == 0 *)
+(* torses/rectifying.geodesic *)
 Definition H (c''_u_ : list R) (c'_u_ : list R) : list R :=
   cross (cross c'_u_ c''_u_) c'_u_.
 Definition statement : Prop :=

@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module planes_ruling.
-(* torses/planes.ruling, Rulings
-   printed: n × n' is the direction of the ruling: it is at right angles to n and n'.
-   stated: [dot(n(u), cross(n(u), n'(u))), dot(n'(u), cross(n(u), n'(u)))] == 0 *)
+(* torses/planes.ruling *)
 Definition statement : Prop :=
 forall (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R),
   let n'_u_ := [n'_u_'1; n'_u_'2; n'_u_'3] in
@@ -20,9 +18,7 @@ forall (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R),
 End planes_ruling.
 
 Module planes_turn.
-(* torses/planes.turn, Rulings
-   printed: (n × n') × (n × n')' = det(n, n', n'') n: the planes are those that the rulings and their changes span.
-   stated: cross(cross(n(u), n'(u)), D(cross(n(u), n'(u)), u)) == W(u)*n(u) *)
+(* torses/planes.turn *)
 Definition statement : Prop :=
 forall (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -32,9 +28,7 @@ forall (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_
 End planes_turn.
 
 Module planes_turn_slip.
-(* torses/planes.turn.slip, Rulings
-   printed: A slip: (n × n') × (n × n')' = det(n, n', n'') n'
-   stated: cross(cross(n(u), n'(u)), D(cross(n(u), n'(u)), u)) == W(u)*n'(u) *)
+(* torses/planes.turn.slip *)
 Definition statement : Prop :=
 forall (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -44,9 +38,7 @@ forall (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_
 End planes_turn_slip.
 
 Module planes_turn_slip_corrected.
-(* torses/planes.turn.slip (corrected), Rulings
-   printed: A slip: (n × n') × (n × n')' = det(n, n', n'') n'
-   stated: cross(cross(n(u), n'(u)), D(cross(n(u), n'(u)), u)) == W(u)*n(u) *)
+(* torses/planes.turn.slip (corrected) *)
 Definition statement : Prop :=
 forall (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -56,9 +48,7 @@ forall (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_
 End planes_turn_slip_corrected.
 
 Module planes_cylinder.
-(* torses/planes.cylinder, Rulings
-   printed: If det(n, n', n'') = 0 the rulings are parallel: the envelope is a cylinder.
-   stated: cross(cross(n(u), n'(u)), D(cross(n(u), n'(u)), u)) == 0 *)
+(* torses/planes.cylinder *)
 Definition statement : Prop :=
 forall (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -75,9 +65,7 @@ exists (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_
 End planes_cylinder.
 
 Module planes_scaled.
-(* torses/planes.scaled, Rulings
-   printed: With a n for n, which makes the same planes, det(n, n', n'') becomes a^3 det(n, n', n'').
-   stated: det([a(u)*n(u), D(a(u)*n(u), u), D(a(u)*n(u), u, 2)]) == a(u)^3*W(u) *)
+(* torses/planes.scaled *)
 Definition statement : Prop :=
 forall (a''_u_ : R) (a'_u_ : R) (a_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -87,9 +75,7 @@ forall (a''_u_ : R) (a'_u_ : R) (a_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_
 End planes_scaled.
 
 Module planes_scaled_slip.
-(* torses/planes.scaled.slip, Rulings
-   printed: A slip: with a n for n, det(n, n', n'') becomes a² det(n, n', n'').
-   stated: det([a(u)*n(u), D(a(u)*n(u), u), D(a(u)*n(u), u, 2)]) == a(u)^2*W(u) *)
+(* torses/planes.scaled.slip *)
 Definition statement : Prop :=
 forall (a''_u_ : R) (a'_u_ : R) (a_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -99,9 +85,7 @@ forall (a''_u_ : R) (a'_u_ : R) (a_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_
 End planes_scaled_slip.
 
 Module planes_scaled_slip_corrected.
-(* torses/planes.scaled.slip (corrected), Rulings
-   printed: A slip: with a n for n, det(n, n', n'') becomes a² det(n, n', n'').
-   stated: det([a(u)*n(u), D(a(u)*n(u), u), D(a(u)*n(u), u, 2)]) == a(u)^3*W(u) *)
+(* torses/planes.scaled.slip (corrected) *)
 Definition statement : Prop :=
 forall (a''_u_ : R) (a'_u_ : R) (a_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_u_'1 n'_u_'2 n'_u_'3 : R) (n_u_'1 n_u_'2 n_u_'3 : R) (u : R),
   let n''_u_ := [n''_u_'1; n''_u_'2; n''_u_'3] in
@@ -111,9 +95,7 @@ forall (a''_u_ : R) (a'_u_ : R) (a_u_ : R) (n''_u_'1 n''_u_'2 n''_u_'3 : R) (n'_
 End planes_scaled_slip_corrected.
 
 Module planes_dual.
-(* torses/planes.dual, Rulings
-   printed: Where δ = 0 the surface touches along the ruling the plane at right angles to c' × r: (c' × r) · X_u = 0.
-   stated: dot(cross(c'(u), r(u)), D(X)(u, v)) == 0 *)
+(* torses/planes.dual *)
 Definition delta (c'_u_ : list R) (r'_u_ : list R) (r_u_ : list R) : R :=
   det [c'_u_; r_u_; r'_u_].
 Definition X (c'_u_ : list R) (c_u_ : list R) (r'_u_ : list R) (r_u_ : list R) (v : R) (u : R) : list R :=

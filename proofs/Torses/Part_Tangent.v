@@ -13,9 +13,7 @@ End Definitions.
 Import Definitions.
 
 Module tangents_torse.
-(* torses/tangents.torse, Tangent surface
-   printed: det(c', c', c'') = 0
-   stated: det([c'(u), c'(u), c''(u)]) == 0 *)
+(* torses/tangents.torse *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -24,9 +22,7 @@ forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R),
 End tangents_torse.
 
 Module tangents_normal.
-(* torses/tangents.normal, Tangent surface
-   printed: Its normal is v c'' × c'.
-   stated: NT(u, v) == v*cross(c''(u), c'(u)) *)
+(* torses/tangents.normal *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -36,9 +32,7 @@ forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End tangents_normal.
 
 Module tangents_edge.
-(* torses/tangents.edge, Tangent surface
-   printed: It is singular along the curve: the normal is zero at v = 0.
-   stated: NT(u, 0) == 0 *)
+(* torses/tangents.edge *)
 Definition T (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (v : Z) (u : R) : list R :=
   vadd (vadd c_u_ (vscale (1 * u) c'_u_)) (vscale (IZR v) (vadd c'_u_ (vscale (1 * u) c''_u_))).
 Definition NT (c''_u_ : list R) (c'_u_ : list R) (c_u_ : list R) (u : R) (v : Z) : list R :=
@@ -52,9 +46,7 @@ forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End tangents_edge.
 
 Module tangents_osculating.
-(* torses/tangents.osculating, Tangent surface
-   printed: The osculating planes of c touch it.
-   stated: cross(NT(u, v), cross(c'(u), c''(u))) == 0 *)
+(* torses/tangents.osculating *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -64,9 +56,7 @@ forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End tangents_osculating.
 
 Module tangents_metric.
-(* torses/tangents.metric, Tangent surface
-   printed: If u is the arc length, T_u · T_u = 1 + v² c'' · c'': curvature alone counts when it is unrolled.
-   stated: dot(D(T)(u, v), D(T)(u, v)) == 1 + v^2*dot(c''(u), c''(u)) *)
+(* torses/tangents.metric *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in
@@ -85,9 +75,7 @@ exists (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_
 End tangents_metric.
 
 Module tangents_metric_slip.
-(* torses/tangents.metric.slip, Tangent surface
-   printed: A slip: for any parameter T_u · T_u = c' · c' + v² c'' · c''.
-   stated: dot(D(T)(u, v), D(T)(u, v)) == dot(c'(u), c'(u)) + v^2*dot(c''(u), c''(u)) *)
+(* torses/tangents.metric.slip *)
 Definition statement : Prop :=
 forall (c''_u_'1 c''_u_'2 c''_u_'3 : R) (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (u : R) (v : R),
   let c''_u_ := [c''_u_'1; c''_u_'2; c''_u_'3] in

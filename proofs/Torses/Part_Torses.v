@@ -15,9 +15,7 @@ End Definitions.
 Import Definitions.
 
 Module ruled_torse_sufficient.
-(* torses/ruled.torse.sufficient, Torses
-   printed: If δ = 0, the normal has one direction along the ruling: N(u, v_1) × N(u, v_2) = 0.
-   stated: cross(N(u, v1), N(u, v2)) == 0 *)
+(* torses/ruled.torse.sufficient *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v1 : R) (v2 : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -36,9 +34,7 @@ exists (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End ruled_torse_sufficient.
 
 Module ruled_torse_necessary.
-(* torses/ruled.torse.necessary, Torses
-   printed: If the normals at the points v_1 and v_2 of a ruling are parallel, (v_1 - v_2) δ |r|² = 0: so δ = 0, if the points differ.
-   stated: (v1 - v2)*delta(u)*dot(r(u), r(u)) == 0 *)
+(* torses/ruled.torse.necessary *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v1 : R) (v2 : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in
@@ -57,9 +53,7 @@ exists (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2
 End ruled_torse_necessary.
 
 Module ruled_rodrigues.
-(* torses/ruled.rodrigues, Torses
-   printed: The rulings are curvature lines of torses: N_v × N = δ(u) r, zero if δ = 0.
-   stated: cross(D(N, v)(u, v), N(u, v)) == delta(u)*r(u) *)
+(* torses/ruled.rodrigues *)
 Definition statement : Prop :=
 forall (c'_u_'1 c'_u_'2 c'_u_'3 : R) (c_u_'1 c_u_'2 c_u_'3 : R) (r'_u_'1 r'_u_'2 r'_u_'3 : R) (r_u_'1 r_u_'2 r_u_'3 : R) (u : R) (v : R),
   let c'_u_ := [c'_u_'1; c'_u_'2; c'_u_'3] in

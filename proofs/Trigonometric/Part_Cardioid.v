@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module cardioid_speed.
-(* trigonometric/cardioid.speed, Cardioid
-   printed: K'·K' = 4 cos²(t/2)
-   stated: dot(K'(t), K'(t)) == 4*cos(t/2)^2 *)
+(* trigonometric/cardioid.speed *)
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -22,17 +20,13 @@ exists (t : R),
 End cardioid_speed.
 
 Module cardioid_cusp.
-(* trigonometric/cardioid.cusp, Cardioid
-   printed: K'(π) = 0
-   stated: K'(pi) == [0, 0] *)
+(* trigonometric/cardioid.cusp *)
 Definition statement : Prop :=
   vDerive 2 (fun t => K t) 1 PI = [0; 0].
 End cardioid_cusp.
 
 Module cardioid_curvature.
-(* trigonometric/cardioid.curvature, Cardioid
-   printed: The square of the curvature for 0 < t < π: det(K', K'')^2/(K'·K')^3 = 9/(16 cos²(t/2))
-   stated: det([K'(t), K''(t)])^2/dot(K'(t), K'(t))^3 == 9/(16*cos(t/2)^2) *)
+(* trigonometric/cardioid.curvature *)
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 1 * PI ->

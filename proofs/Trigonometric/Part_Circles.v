@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module quadratic_circle.
-(* trigonometric/quadratic.circle, Circles
-   printed: λ = μ = 0 and the points (1, 0), (1, 1), (0, 1) give an arc of the circle x² + y² = 1.
-   stated: at(at(dot([a(t, lambda) + b(t, lambda, mu), b(t, lambda, mu) + c(t, mu)], [a(t, lambda) + b(t, lambda, mu), b(t, lambda, mu) + c(t, mu)]), lambda, 0), mu, 0) == 1 *)
+(* trigonometric/quadratic.circle *)
 Definition a (t : R) (lambda : Z) : R :=
   (1 - sin t) * (1 - IZR lambda * sin t).
 Definition c (t : R) (mu : Z) : R :=

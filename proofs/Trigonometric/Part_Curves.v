@@ -15,9 +15,7 @@ End Definitions.
 Import Definitions.
 
 Module quadratic_ends.
-(* trigonometric/quadratic.ends, Curves
-   printed: F(0) = P_0, F(π/2) = P_2
-   stated: F(0) == P[0] and F(pi/2) == P[2] *)
+(* trigonometric/quadratic.ends *)
 Definition a (t : Z) (lambda : R) : R :=
   (1 - sin (IZR t)) * (1 - lambda * sin (IZR t)).
 Definition c (t : Z) (mu : R) : R :=
@@ -46,9 +44,7 @@ exists (P : Z -> R) (lambda : R) (mu : R),
 End quadratic_ends.
 
 Module quadratic_d1.
-(* trigonometric/quadratic.d1, Curves
-   printed: F'(0) = (1 + λ)(P_1 - P_0), F'(π/2) = (1 + μ)(P_2 - P_1)
-   stated: F'(0) == (1 + lambda)*(P[1] - P[0]) and F'(pi/2) == (1 + mu)*(P[2] - P[1]) *)
+(* trigonometric/quadratic.d1 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-1) <= lambda <= 1 ->
@@ -61,9 +57,7 @@ exists (P : Z -> R) (lambda : R) (mu : R),
 End quadratic_d1.
 
 Module quadratic_d2.
-(* trigonometric/quadratic.d2, Curves
-   printed: F''(0) = 2λ(P_0 - P_1) + (1 - μ)(P_2 - P_1)
-   stated: F''(0) == 2*lambda*(P[0] - P[1]) + (1 - mu)*(P[2] - P[1]) *)
+(* trigonometric/quadratic.d2 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-1) <= lambda <= 1 ->
@@ -76,9 +70,7 @@ exists (P : Z -> R) (lambda : R) (mu : R),
 End quadratic_d2.
 
 Module quadratic_d1_slip.
-(* trigonometric/quadratic.d1.slip, Curves
-   printed: A common slip, the factor of t = π/2 x is kept: F'(0) = π/2 (1 + λ)(P_1 - P_0)
-   stated: F'(0) == pi/2*(1 + lambda)*(P[1] - P[0]) *)
+(* trigonometric/quadratic.d1.slip *)
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-1) <= lambda <= 1 ->
@@ -87,9 +79,7 @@ forall (P : Z -> R) (lambda : R) (mu : R),
 End quadratic_d1_slip.
 
 Module quadratic_d1_slip_corrected.
-(* trigonometric/quadratic.d1.slip (corrected), Curves
-   printed: A common slip, the factor of t = π/2 x is kept: F'(0) = π/2 (1 + λ)(P_1 - P_0)
-   stated: F'(0) == (1 + lambda)*(P[1] - P[0]) *)
+(* trigonometric/quadratic.d1.slip (corrected) *)
 Definition statement : Prop :=
 forall (P : Z -> R) (lambda : R) (mu : R),
   (-1) <= lambda <= 1 ->

@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module cycloid_speed.
-(* trigonometric/cycloid.speed, Cycloid
-   printed: X'·X' = 4 sin²(t/2)
-   stated: dot(X'(t), X'(t)) == 4*sin(t/2)^2 *)
+(* trigonometric/cycloid.speed *)
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -22,9 +20,7 @@ exists (t : R),
 End cycloid_speed.
 
 Module cycloid_regular.
-(* trigonometric/cycloid.regular, Cycloid
-   printed: The cycloid is regular for 0 < t < 2π: X'·X' > 0
-   stated: dot(X'(t), X'(t)) > 0 *)
+(* trigonometric/cycloid.regular *)
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -35,9 +31,7 @@ exists (t : R),
 End cycloid_regular.
 
 Module cycloid_slope.
-(* trigonometric/cycloid.slope, Cycloid
-   printed: X'_2/X'_1 = cos(t/2)/sin(t/2)
-   stated: X'(t)[2]/X'(t)[1] == cos(t/2)/sin(t/2) *)
+(* trigonometric/cycloid.slope *)
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -52,9 +46,7 @@ exists (t : R),
 End cycloid_slope.
 
 Module cycloid_slope_slip.
-(* trigonometric/cycloid.slope.slip, Cycloid
-   printed: A common slip: X'_2/X'_1 = sin(t/2)/cos(t/2)
-   stated: X'(t)[2]/X'(t)[1] == sin(t/2)/cos(t/2) *)
+(* trigonometric/cycloid.slope.slip *)
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -64,9 +56,7 @@ forall (t : R),
 End cycloid_slope_slip.
 
 Module cycloid_slope_slip_corrected.
-(* trigonometric/cycloid.slope.slip (corrected), Cycloid
-   printed: A common slip: X'_2/X'_1 = sin(t/2)/cos(t/2)
-   stated: X'(t)[2]/X'(t)[1] == cos(t/2)/sin(t/2) *)
+(* trigonometric/cycloid.slope.slip (corrected) *)
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -81,9 +71,7 @@ exists (t : R),
 End cycloid_slope_slip_corrected.
 
 Module cycloid_bend.
-(* trigonometric/cycloid.bend, Cycloid
-   printed: The cycloid turns to the right for 0 < t < 2π: det(X', X'') < 0
-   stated: det([X'(t), X''(t)]) < 0 *)
+(* trigonometric/cycloid.bend *)
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->
@@ -94,9 +82,7 @@ exists (t : R),
 End cycloid_bend.
 
 Module cycloid_curvature.
-(* trigonometric/cycloid.curvature, Cycloid
-   printed: The square of the curvature: det(X', X'')^2/(X'·X')^3 = 1/(16 sin²(t/2))
-   stated: det([X'(t), X''(t)])^2/dot(X'(t), X'(t))^3 == 1/(16*sin(t/2)^2) *)
+(* trigonometric/cycloid.curvature *)
 Definition statement : Prop :=
 forall (t : R),
   0 < t < 2 * PI ->

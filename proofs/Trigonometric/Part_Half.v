@@ -9,45 +9,35 @@ End Definitions.
 Import Definitions.
 
 Module angle_half_sine.
-(* trigonometric/angle.half.sine, Half angles
-   printed: sin²(y/2) = (1 - cos y)/2
-   stated: sin(y/2)^2 == (1 - cos(y))/2 *)
+(* trigonometric/angle.half.sine *)
 Definition statement : Prop :=
 forall (y : R),
   sin (y / 2) ^ 2 = (1 - cos y) / 2.
 End angle_half_sine.
 
 Module angle_half_cosine.
-(* trigonometric/angle.half.cosine, Half angles
-   printed: cos y = 2 cos²(y/2) - 1
-   stated: cos(y) == 2*cos(y/2)^2 - 1 *)
+(* trigonometric/angle.half.cosine *)
 Definition statement : Prop :=
 forall (y : R),
   cos y = 2 * cos (y / 2) ^ 2 - 1.
 End angle_half_cosine.
 
 Module angle_half_slip.
-(* trigonometric/angle.half.slip, Half angles
-   printed: A common slip: 1 - cos y = sin²(y/2)
-   stated: 1 - cos(y) == sin(y/2)^2 *)
+(* trigonometric/angle.half.slip *)
 Definition statement : Prop :=
 forall (y : R),
   1 - cos y = sin (y / 2) ^ 2.
 End angle_half_slip.
 
 Module angle_half_slip_corrected.
-(* trigonometric/angle.half.slip (corrected), Half angles
-   printed: A common slip: 1 - cos y = sin²(y/2)
-   stated: 1 - cos(y) == 2*sin(y/2)^2 *)
+(* trigonometric/angle.half.slip (corrected) *)
 Definition statement : Prop :=
 forall (y : R),
   1 - cos y = 2 * sin (y / 2) ^ 2.
 End angle_half_slip_corrected.
 
 Module half_unity.
-(* trigonometric/half.unity, Half angles, the functions
-   printed: cos^4(t/2) + 2 sin²(t/2) cos²(t/2) + sin^4(t/2) = 1
-   stated: cos(t/2)^4 + 2*sin(t/2)^2*cos(t/2)^2 + sin(t/2)^4 == 1 *)
+(* trigonometric/half.unity *)
 Definition statement : Prop :=
 forall (t : R),
   0 <= t <= 1 * PI ->
@@ -58,9 +48,7 @@ exists (t : R),
 End half_unity.
 
 Module half_middle.
-(* trigonometric/half.middle, Half angles, the functions
-   printed: 2 sin²(t/2) cos²(t/2) = sin² t/2
-   stated: 2*sin(t/2)^2*cos(t/2)^2 == sin(t)^2/2 *)
+(* trigonometric/half.middle *)
 Definition statement : Prop :=
 forall (t : R),
   0 <= t <= 1 * PI ->
@@ -71,9 +59,7 @@ exists (t : R),
 End half_middle.
 
 Module half_sine.
-(* trigonometric/half.sine, Half angles, the functions
-   printed: 2 sin(t/2) >= sin t on [0, π]
-   stated: 2*sin(t/2) >= sin(t) *)
+(* trigonometric/half.sine *)
 Definition statement : Prop :=
 forall (t : R),
   0 <= t <= 1 * PI ->
@@ -84,9 +70,7 @@ exists (t : R),
 End half_sine.
 
 Module half_cosine.
-(* trigonometric/half.cosine, Half angles, the functions
-   printed: cos(t/2) >= 0 on [0, π]
-   stated: cos(t/2) >= 0 *)
+(* trigonometric/half.cosine *)
 Definition statement : Prop :=
 forall (t : R),
   0 <= t <= 1 * PI ->
@@ -97,9 +81,7 @@ exists (t : R),
 End half_cosine.
 
 Module half_cosine_slip.
-(* trigonometric/half.cosine.slip, Half angles, the functions
-   printed: A common slip: cos(t/2) > 0 on [0, π]
-   stated: cos(t/2) > 0 *)
+(* trigonometric/half.cosine.slip *)
 Definition statement : Prop :=
 forall (t : R),
   0 <= t <= 1 * PI ->
@@ -107,9 +89,7 @@ forall (t : R),
 End half_cosine_slip.
 
 Module half_powers.
-(* trigonometric/half.powers, Half angles, curves
-   printed: E(t) = (P_0 + 2P_1 + P_2)/4 + cos t/2 (P_0 - P_2) + cos² t/4 (P_0 - 2P_1 + P_2)
-   stated: E(t) == (P[0] + 2*P[1] + P[2])/4 + cos(t)/2*(P[0] - P[2]) + cos(t)^2/4*(P[0] - 2*P[1] + P[2]) *)
+(* trigonometric/half.powers *)
 Definition statement : Prop :=
 forall (P : Z -> R) (t : R),
   0 <= t <= 1 * PI ->
@@ -120,9 +100,7 @@ exists (P : Z -> R) (t : R),
 End half_powers.
 
 Module half_d1.
-(* trigonometric/half.d1, Half angles, curves
-   printed: E'(t) = sin t (cos²(t/2) (P_1 - P_0) + sin²(t/2) (P_2 - P_1))
-   stated: E'(t) == sin(t)*(cos(t/2)^2*(P[1] - P[0]) + sin(t/2)^2*(P[2] - P[1])) *)
+(* trigonometric/half.d1 *)
 Definition statement : Prop :=
 forall (P : Z -> R) (t : R),
   0 <= t <= 1 * PI ->
@@ -133,9 +111,7 @@ exists (P : Z -> R) (t : R),
 End half_d1.
 
 Module half_d1_slip.
-(* trigonometric/half.d1.slip, Half angles, curves
-   printed: A common slip: E'(t) = 2 sin t (cos²(t/2) (P_1 - P_0) + sin²(t/2) (P_2 - P_1))
-   stated: E'(t) == 2*sin(t)*(cos(t/2)^2*(P[1] - P[0]) + sin(t/2)^2*(P[2] - P[1])) *)
+(* trigonometric/half.d1.slip *)
 Definition statement : Prop :=
 forall (P : Z -> R) (t : R),
   0 <= t <= 1 * PI ->
@@ -143,9 +119,7 @@ forall (P : Z -> R) (t : R),
 End half_d1_slip.
 
 Module half_d1_slip_corrected.
-(* trigonometric/half.d1.slip (corrected), Half angles, curves
-   printed: A common slip: E'(t) = 2 sin t (cos²(t/2) (P_1 - P_0) + sin²(t/2) (P_2 - P_1))
-   stated: E'(t) == sin(t)*(cos(t/2)^2*(P[1] - P[0]) + sin(t/2)^2*(P[2] - P[1])) *)
+(* trigonometric/half.d1.slip (corrected) *)
 Definition statement : Prop :=
 forall (P : Z -> R) (t : R),
   0 <= t <= 1 * PI ->

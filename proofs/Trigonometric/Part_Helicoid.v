@@ -11,9 +11,7 @@ End Definitions.
 Import Definitions.
 
 Module helicoid_skew.
-(* trigonometric/helicoid.skew, Helicoid
-   printed: For the helicoid, with rulings along N, det(X', N, N') = h.
-   stated: det([X'(t), N(t), N'(t)]) == h *)
+(* trigonometric/helicoid.skew *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->
@@ -26,9 +24,7 @@ exists (h : R) (r : R) (t : R),
 End helicoid_skew.
 
 Module helicoid_skew_slip.
-(* trigonometric/helicoid.skew.slip, Helicoid
-   printed: A common slip: the helicoid is developable, det(X', N, N') = 0
-   stated: det([X'(t), N(t), N'(t)]) == 0 *)
+(* trigonometric/helicoid.skew.slip *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->

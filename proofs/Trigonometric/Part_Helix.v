@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module helix_speed.
-(* trigonometric/helix.speed, Helix
-   printed: X'·X' = r² + h²
-   stated: dot(X'(t), X'(t)) == r^2 + h^2 *)
+(* trigonometric/helix.speed *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->
@@ -24,9 +22,7 @@ exists (h : R) (r : R) (t : R),
 End helix_speed.
 
 Module helix_torsion.
-(* trigonometric/helix.torsion, Helix
-   printed: det(X', X'', X''') = r² h
-   stated: det([X'(t), X''(t), X'''(t)]) == r^2*h *)
+(* trigonometric/helix.torsion *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->
@@ -39,9 +35,7 @@ exists (h : R) (r : R) (t : R),
 End helix_torsion.
 
 Module helix_curvature.
-(* trigonometric/helix.curvature, Helix
-   printed: The square of the curvature: (X' × X'')·(X' × X'')/(X'·X')^3 = r²/(r² + h²)²
-   stated: dot(cross(X'(t), X''(t)), cross(X'(t), X''(t)))/dot(X'(t), X'(t))^3 == r^2/(r^2 + h^2)^2 *)
+(* trigonometric/helix.curvature *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->

@@ -25,9 +25,7 @@ End Definitions.
 Import Definitions.
 
 Module quadratic_join.
-(* trigonometric/quadratic.join, Joins
-   printed: R_1 = P_2 + (1 + μ)/(1 + λ_2) (P_2 - P_1)
-   stated: R[1] == P[2] + (1 + mu)/(1 + lambda2)*(P[2] - P[1]) *)
+(* trigonometric/quadratic.join *)
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
   (-1) <= lambda <= 1 ->
@@ -50,9 +48,7 @@ exists (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
 End quadratic_join.
 
 Module quadratic_join_slip.
-(* trigonometric/quadratic.join.slip, Joins
-   printed: A common slip: R_1 = P_2 + (1 + λ_2)/(1 + μ) (P_2 - P_1)
-   stated: R[1] == P[2] + (1 + lambda2)/(1 + mu)*(P[2] - P[1]) *)
+(* trigonometric/quadratic.join.slip *)
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
   (-1) <= lambda <= 1 ->
@@ -66,9 +62,7 @@ forall (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
 End quadratic_join_slip.
 
 Module quadratic_join_slip_corrected.
-(* trigonometric/quadratic.join.slip (corrected), Joins
-   printed: A common slip: R_1 = P_2 + (1 + λ_2)/(1 + μ) (P_2 - P_1)
-   stated: R[1] == P[2] + (1 + mu)/(1 + lambda2)*(P[2] - P[1]) *)
+(* trigonometric/quadratic.join.slip (corrected) *)
 Definition statement : Prop :=
 forall (P : Z -> R) (R_ : Z -> R) (lambda : R) (lambda2 : R) (mu : R) (mu2 : R),
   (-1) <= lambda <= 1 ->

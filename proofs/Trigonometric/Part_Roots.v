@@ -11,9 +11,7 @@ End Definitions.
 Import Definitions.
 
 Module helix_length.
-(* trigonometric/helix.length, Roots
-   printed: |X'| = √(r² + h²)
-   stated: norm(X'(t)) == sqrt(r^2 + h^2) *)
+(* trigonometric/helix.length *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->
@@ -28,9 +26,7 @@ exists (h : R) (r : R) (t : R),
 End helix_length.
 
 Module helix_bend.
-(* trigonometric/helix.bend, Roots
-   printed: The curvature: |X' × X''|/|X'|³ = r/(r² + h²)
-   stated: norm(cross(X'(t), X''(t)))/norm(X'(t))^3 == r/(r^2 + h^2) *)
+(* trigonometric/helix.bend *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->
@@ -47,9 +43,7 @@ exists (h : R) (r : R) (t : R),
 End helix_bend.
 
 Module helix_bend_slip.
-(* trigonometric/helix.bend.slip, Roots
-   printed: A common slip, the square root forgotten: |X' × X''|/|X'|³ = r²/(r² + h²)²
-   stated: norm(cross(X'(t), X''(t)))/norm(X'(t))^3 == r^2/(r^2 + h^2)^2 *)
+(* trigonometric/helix.bend.slip *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->
@@ -60,9 +54,7 @@ forall (h : R) (r : R) (t : R),
 End helix_bend_slip.
 
 Module cylinder_normal.
-(* trigonometric/cylinder.normal, Roots
-   printed: The unit normal of the cylinder Z(t, v) = (r cos t, r sin t, v) is N.
-   stated: cross(D(Z)(t, v), D(Z, v)(t, v))/norm(cross(D(Z)(t, v), D(Z, v)(t, v))) == N(t) *)
+(* trigonometric/cylinder.normal *)
 Definition N_ (t : R) : list R :=
   [cos t; sin t; 0].
 Definition statement : Prop :=
@@ -77,9 +69,7 @@ exists (r : R) (t : R) (v : R),
 End cylinder_normal.
 
 Module cylinder_offset.
-(* trigonometric/cylinder.offset, Roots
-   printed: Its offset at the distance h is the cylinder of radius r + h.
-   stated: Z(t, v) + h*cross(D(Z)(t, v), D(Z, v)(t, v))/norm(cross(D(Z)(t, v), D(Z, v)(t, v))) == [(r + h)*cos(t), (r + h)*sin(t), v] *)
+(* trigonometric/cylinder.offset *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R) (v : R),
   0 < h ->

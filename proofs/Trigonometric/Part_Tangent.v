@@ -9,9 +9,7 @@ End Definitions.
 Import Definitions.
 
 Module helix_torse.
-(* trigonometric/helix.torse, Tangent surface
-   printed: The tangent surface is developable: det(X', X', X'') = 0
-   stated: det([X'(t), X'(t), X''(t)]) == 0 *)
+(* trigonometric/helix.torse *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->
@@ -24,9 +22,7 @@ exists (h : R) (r : R) (t : R),
 End helix_torse.
 
 Module helix_normal.
-(* trigonometric/helix.normal, Tangent surface
-   printed: Its normal (X' + v X'') × X' is v times X'' × X', the same along a ruling but for a factor.
-   stated: cross(X'(t) + v*X''(t), X'(t)) == v*cross(X''(t), X'(t)) *)
+(* trigonometric/helix.normal *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R) (v : R),
   0 < h ->
@@ -39,9 +35,7 @@ exists (h : R) (r : R) (t : R) (v : R),
 End helix_normal.
 
 Module helix_regular.
-(* trigonometric/helix.regular, Tangent surface
-   printed: X'' × X' is nowhere zero: its square is positive.
-   stated: dot(cross(X''(t), X'(t)), cross(X''(t), X'(t))) > 0 *)
+(* trigonometric/helix.regular *)
 Definition statement : Prop :=
 forall (h : R) (r : R) (t : R),
   0 < h ->

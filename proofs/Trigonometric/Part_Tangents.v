@@ -3,9 +3,7 @@ From Torse Require Import Defs.
 Open Scope R_scope.
 
 Module angle_tangent.
-(* trigonometric/angle.tangent, Tangents
-   printed: tan(w/2) = sin w/(1 + cos w) for w in (-π, π)
-   stated: tan(w/2) == sin(w)/(1 + cos(w)) *)
+(* trigonometric/angle.tangent *)
 Definition statement : Prop :=
 forall (w : R),
   (-1) * PI < w < 1 * PI ->
@@ -20,9 +18,7 @@ exists (w : R),
 End angle_tangent.
 
 Module angle_tangent_closed.
-(* trigonometric/angle.tangent.closed, Tangents
-   printed: tan(v/2) = sin v/(1 + cos v) for v in [-π, π]
-   stated: tan(v/2) == sin(v)/(1 + cos(v)) *)
+(* trigonometric/angle.tangent.closed *)
 Definition statement : Prop :=
 forall (v : R),
   (-1) * PI <= v <= 1 * PI ->

@@ -13,9 +13,7 @@ End Definitions.
 Import Definitions.
 
 Module quadratic_middle.
-(* trigonometric/quadratic.middle, The functions
-   printed: b = (1 + λ) sin t + (1 + μ) cos t - λ sin² t - μ cos² t - 1
-   stated: b(t, lambda, mu) == (1 + lambda)*sin(t) + (1 + mu)*cos(t) - lambda*sin(t)^2 - mu*cos(t)^2 - 1 *)
+(* trigonometric/quadratic.middle *)
 Definition statement : Prop :=
 forall (lambda : R) (mu : R) (t : R),
   (-1) <= lambda <= 1 ->
@@ -30,9 +28,7 @@ exists (lambda : R) (mu : R) (t : R),
 End quadratic_middle.
 
 Module quadratic_nonnegative.
-(* trigonometric/quadratic.nonnegative, The functions
-   printed: a, b, c >= 0 on [0, π/2] for λ, μ in [-1, 1]
-   stated: a(t, lambda) >= 0 and b(t, lambda, mu) >= 0 and c(t, mu) >= 0 *)
+(* trigonometric/quadratic.nonnegative *)
 Definition statement : Prop :=
 forall (lambda : R) (mu : R) (t : R),
   (-1) <= lambda <= 1 ->
@@ -47,9 +43,7 @@ exists (lambda : R) (mu : R) (t : R),
 End quadratic_nonnegative.
 
 Module quadratic_nonnegative_slip.
-(* trigonometric/quadratic.nonnegative.slip, The functions
-   printed: A common slip: a >= 0 on [0, π/2] for λ in [-1, 2]
-   stated: a(t, lambda) >= 0 *)
+(* trigonometric/quadratic.nonnegative.slip *)
 Definition statement : Prop :=
 forall (lambda : R) (t : R),
   (-1) <= lambda <= 2 ->
@@ -58,9 +52,7 @@ forall (lambda : R) (t : R),
 End quadratic_nonnegative_slip.
 
 Module quadratic_symmetry.
-(* trigonometric/quadratic.symmetry, The functions
-   printed: c(π/2 - t, λ) = a(t, λ)
-   stated: c(pi/2 - t, lambda) == a(t, lambda) *)
+(* trigonometric/quadratic.symmetry *)
 Definition statement : Prop :=
 forall (lambda : R) (t : R),
   (-1) <= lambda <= 1 ->
@@ -73,9 +65,7 @@ exists (lambda : R) (t : R),
 End quadratic_symmetry.
 
 Module quadratic_decreasing.
-(* trigonometric/quadratic.decreasing, The functions
-   printed: a decreases on [0, π/2]: a' <= 0
-   stated: a'(t, lambda) <= 0 *)
+(* trigonometric/quadratic.decreasing *)
 Definition statement : Prop :=
 forall (lambda : R) (t : R),
   (-1) <= lambda <= 1 ->

@@ -63,7 +63,7 @@ fn list(sections: &[(&str, &str)]) -> String {
     }
     let mut parts = vec![];
     for (section, proofs) in sections {
-        let path = section.replace('/', ".");
+        let path = section.split_once('/').map_or(*section, |(_, name)| name);
         for (module, body) in modules::split(proofs).modules {
             for (name, negation, what) in SAYS {
                 if !body.contains(&format!("\nTheorem {name} :")) {

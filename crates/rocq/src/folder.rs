@@ -2,6 +2,7 @@
 
 use crate::check::PROOFS;
 use crate::closed::CLOSED;
+use crate::equal_definitions::{Equations, SharedEquations};
 use crate::gap::Untranslatable;
 use crate::library::LIBRARY;
 use crate::name::camel;
@@ -232,9 +233,10 @@ impl Folder {
             let shared = self.layout.shared(&goals);
             self.files.insert(
                 format!("{path}.v"),
-                section::statements(slug, &section, &goals, &shared),
+                section::statements(slug, &section, &goals, &shared, section::claim),
             );
-            let printed = self.printed(slug, prefix, &section, &goals);
+            let (printed, shared_print) = self.printed(slug, prefix, &section, &goals);
+            let equations = SharedEquations::new(&section, &shared_print, &shared);
             let (mut proved, mut followed) = (vec![], vec![]);
             for goal in &goals {
                 let name = format!("{path}.{}", goal.module);
@@ -275,6 +277,12 @@ impl Folder {
                     });
                     continue;
                 }
+                let equations = Equations::new(
+                    &section,
+                    &equations,
+                    (&shared_print, &shared),
+                    (printed, goal),
+                );
                 followed.push(Theorem {
                     section: own,
                     module: goal.module.clone(),
@@ -282,8 +290,10 @@ impl Folder {
                     role: goal.role,
                     evidence: goal.evidence,
                     says: section::statement(printed, &printed.definitions()),
-                    proof: printed::module(prefix, &section, printed, goal, &scripts),
-                    rests_on: Some(section::statement(goal, &goal.definitions())),
+                    proof: printed::module(&section, (printed, goal), &equations, &scripts),
+                    rests_on: Some(
+                        equations.shared + &section::statement(goal, &goal.definitions()),
+                    ),
                 });
             }
             if !proved.is_empty() {
@@ -301,22 +311,22 @@ impl Folder {
                 let modules: Vec<&str> = followed.iter().map(|t| t.proof.as_str()).collect();
                 self.files.insert(
                     format!("{path}{PRINTED}{PROOFS}"),
-                    printed::file(prefix, &section, &modules),
+                    printed::file(prefix, &section, &equations.lines(&section), &modules),
                 );
                 self.theorems.extend(followed);
             }
         }
     }
 
-    /// Returns the goals of a section with the printed statements, by their modules; writes the file of these
-    /// statements.
+    /// Returns the goals of a section with the printed statements, by their modules, and what they share; writes the
+    /// file of these statements.
     fn printed(
         &mut self,
         slug: &str,
         prefix: &str,
         section: &str,
         goals: &[Goal],
-    ) -> BTreeMap<String, Goal> {
+    ) -> (BTreeMap<String, Goal>, Shared) {
         let mut printed = vec![];
         for goal in goals {
             match goal.as_printed() {
@@ -326,15 +336,16 @@ impl Folder {
                 }
             }
         }
+        let shared = self.layout.shared(&printed);
         if !printed.is_empty() {
-            let shared = self.layout.shared(&printed);
             self.files.insert(
                 format!("{prefix}/{section}{PRINTED}.v"),
-                section::statements(slug, section, &printed, &shared),
+                section::statements(slug, section, &printed, &shared, section::print),
             );
         }
         let named = printed.into_iter();
-        named.map(|goal| (goal.module.clone(), goal)).collect()
+        let named = named.map(|goal| (goal.module.clone(), goal)).collect();
+        (named, shared)
     }
 
     fn lacks(&mut self, id: &str, evidence: Option<Evidence>, gap: &Untranslatable) {

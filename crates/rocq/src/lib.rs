@@ -24,6 +24,7 @@ mod coqc_output;
 pub mod defined;
 pub mod digest;
 pub mod domain;
+mod equal_definitions;
 pub mod folder;
 pub mod forms;
 pub mod gap;

@@ -82,9 +82,10 @@ fn section_failing(
     }
     let proofs = folder.files.get(&format!("{section}{PROOFS}"));
     let is_printed = printed::proved(section).is_some();
+    let head = split(proofs.map_or("", String::as_str)).head;
     let mut text = match is_printed {
-        true => printed::head(section, &theorems),
-        false => split(proofs.map_or("", String::as_str)).head.to_owned(),
+        true => printed::head(section, head, &theorems),
+        false => head.to_owned(),
     };
     // Printed statements are tried beside the proved ones, independently of their result.
     let proof = |theorem: &Theorem| match is_printed {

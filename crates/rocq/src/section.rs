@@ -44,9 +44,16 @@ pub fn comment(text: &str) -> String {
     format!("(* {} *)", text.trim())
 }
 
-/// Writes the file of statements of these goals, with their shared definitions first.
+/// Writes the file of statements of these goals, with their shared definitions first. `about` is what a comment says
+/// about each.
 #[must_use]
-pub fn statements(paper: &str, section: &str, goals: &[Goal], shared: &Shared) -> String {
+pub fn statements(
+    paper: &str,
+    section: &str,
+    goals: &[Goal],
+    shared: &Shared,
+    about: fn(&Goal) -> String,
+) -> String {
     let mut text = format!(
         "{}\nFrom Torse Require Import Defs{}.\nOpen Scope R_scope.\n",
         comment(&format!(
@@ -60,26 +67,39 @@ pub fn statements(paper: &str, section: &str, goals: &[Goal], shared: &Shared) -
     );
     text.push_str(&shared.module());
     for goal in goals {
-        text.push_str(&statement(goal, &shared.others(goal)));
+        let head = format!("\nModule {}.\n", goal.module);
+        let module = statement(goal, &shared.others(goal));
+        let rest = module.strip_prefix(&head).unwrap_or(&module);
+        text.push_str(&format!("{head}{}\n{rest}", comment(&about(goal))));
     }
     text
 }
 
-/// Writes the module of the statement of a goal, with these of its definitions.
+/// Returns the claim of a goal.
+#[must_use]
+pub fn claim(goal: &Goal) -> String {
+    match goal.role {
+        Role::Corrected => format!("{} (corrected)", goal.id),
+        _ => goal.id.clone(),
+    }
+}
+
+/// Returns the claim of a goal, its place, the print and the formula of the derivation file.
+#[must_use]
+pub fn print(goal: &Goal) -> String {
+    format!(
+        "{}, {}\n   printed: {}\n   stated: {}",
+        claim(goal),
+        goal.at,
+        goal.printed,
+        goal.states
+    )
+}
+
+/// Writes the module of the statement of a goal, with these of its definitions and without comments.
 #[must_use]
 pub fn statement(goal: &Goal, definitions: &[&str]) -> String {
     let mut text = format!("\nModule {}.\n", goal.module);
-    let corrected = if goal.role == Role::Corrected {
-        " (corrected)"
-    } else {
-        ""
-    };
-    let about = format!(
-        "{}{corrected}, {}\n   printed: {}\n   stated: {}",
-        goal.id, goal.at, goal.printed, goal.states
-    );
-    text.push_str(&comment(&about));
-    text.push('\n');
     let proposition = &goal.proposition;
     for definition in definitions {
         text.push_str(definition);

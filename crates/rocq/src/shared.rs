@@ -61,7 +61,7 @@ fn own(goal: &Goal) -> Vec<Own<'_>> {
 }
 
 /// Returns the names and numbers of a text.
-fn words(text: &str) -> impl Iterator<Item = &str> {
+pub(crate) fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '\''))
         .filter(|word| !word.is_empty())
 }

@@ -85,11 +85,11 @@ fn all_corrections_of_a_letter_are_in_force_together_when_it_is_verified() {
         "{plain}"
     );
     assert_eq!(plain.matches("\n### ").count(), 1, "{plain}");
-    assert!(!plain.contains("decided again"), "{plain}");
+    assert!(!plain.contains("checked again"), "{plain}");
     let (said, verified) = letter(&["--verify"]);
     assert!(said.contains("mini/product  holds"), "{said}");
     assert!(
-        verified.contains("the 2 statements that they concern were decided again: 2 are true."),
+        verified.contains("the 2 statements that they concern were checked again: 2 are true."),
         "{verified}"
     );
 }
@@ -225,8 +225,8 @@ fn what_rests_on_a_correction_is_decided_with_it_and_words_alone_are_named() {
     assert!(!ran.out.contains("mini/other"), "{}", ran.out);
     let letter = fs::read_to_string(out.path().join("mini-erratum.md")).unwrap();
     for says in [
-        "The 2 other statements that rest on these or on a corrected definition were decided with them: 1 is true and 1 is not true (Sect. 1, eq. (broken)).",
-        "1 correction is of words alone; nothing is computed about it (Sect. 1, eq. (title)).",
+        "The 2 other statements that rest on these or on a corrected definition were checked with them: 1 is true and 1 is not true (Sect. 1, eq. (broken)).",
+        "1 change is of words alone; nothing is computed about it (Sect. 1, eq. (title)).",
     ] {
         assert!(letter.contains(says), "{says}: {letter}");
     }

@@ -122,8 +122,7 @@ impl Evaluator<'_> {
                 ))
             }
             (BuiltIn::Coefficients, [forms, unknowns]) => {
-                let (forms, unknowns) = (self.value(forms, bound)?, self.value(unknowns, bound)?);
-                linear::coefficients(&forms, &unknowns, place)
+                self.coefficients(forms, unknowns, place, bound)
             }
             _ => Err(wrong_type(
                 place,

@@ -116,25 +116,6 @@ pub(super) fn solve(rows: &[Vec<Fraction>], right: &Value, place: Place) -> Resu
     })
 }
 
-/// The coefficients of linear forms with respect to symbols: one row a form.
-pub(super) fn coefficients(forms: &Value, unknowns: &Value, place: Place) -> Result<Value, Fault> {
-    let mut symbols = vec![];
-    for unknown in unknowns.entries() {
-        let symbol = unknown.as_fraction().and_then(Unknown::from_fraction);
-        symbols.push(symbol.ok_or_else(|| wrong_type(place, "a formula", "a plain symbol"))?);
-    }
-    let mut rows = vec![];
-    for form in forms.entries() {
-        let form = form
-            .as_fraction()
-            .ok_or_else(|| super::symbolic_degree(place))?;
-        let (row, _) = linear_form(form, &symbols)
-            .ok_or_else(|| wrong_type(place, "a nonlinear formula", "a linear form"))?;
-        rows.push(row.into_iter().map(Quantity::from).collect());
-    }
-    Ok(Value::Matrix(rows))
-}
-
 /// `form = sum of row[i] * unknowns[i] + rest`, if it is linear in the unknowns, which stand in no function.
 pub(crate) fn linear_form(
     form: &Fraction,

@@ -7,6 +7,7 @@
 mod angles;
 mod arithmetic;
 pub mod basis;
+mod coefficients;
 mod each;
 mod functions;
 mod index;
@@ -27,7 +28,7 @@ pub mod value;
 use memory::Memory;
 use quantity::Quantity;
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 use torse_algebra::{Affine, Fraction, Symbol, work};
@@ -61,8 +62,12 @@ pub struct Evaluator<'a> {
     elaborator: Rc<Elaborator<'a>>,
     /// Symbols with a value: instantiated integers, assumed equalities, witness points.
     fixed: BTreeMap<String, Fraction>,
-    /// Unknowns that the given equations determine.
+    /// Unknowns that equations determine.
     solved: BTreeMap<Symbol, Fraction>,
+    /// The symbols whose values are those of equations among the hypotheses: no other symbol moves them.
+    assumed: BTreeSet<Symbol>,
+    /// Whether given equations determine unknowns: these are functions of the other symbols.
+    has_given: bool,
     /// Whether leaves are replaced by the numbers of the sample point.
     sampled: bool,
     /// Whether the argument of a sine or cosine is being evaluated: there symbols stay symbols.
@@ -101,6 +106,8 @@ impl<'a> Evaluator<'a> {
             elaborator,
             fixed: BTreeMap::new(),
             solved: BTreeMap::new(),
+            assumed: BTreeSet::new(),
+            has_given: false,
             sampled: false,
             in_angle: Cell::new(false),
             symbolic_degree: Cell::new(false),
@@ -144,6 +151,16 @@ impl<'a> Evaluator<'a> {
         self.solved.extend(solution);
     }
 
+    /// Records that an equation among the hypotheses says what a symbol is.
+    pub fn assume(&mut self, symbol: Symbol) {
+        self.assumed.insert(symbol);
+    }
+
+    /// Records that given equations determine unknowns as functions of the other symbols.
+    pub fn give(&mut self) {
+        self.has_given = true;
+    }
+
     /// The same with more symbols fixed.
     #[must_use]
     pub fn fixing(&self, more: &BTreeMap<String, Fraction>) -> Self {
@@ -155,6 +172,8 @@ impl<'a> Evaluator<'a> {
         Self {
             fixed,
             solved: self.solved.clone(),
+            assumed: self.assumed.clone(),
+            has_given: self.has_given,
             ..Self::with(Rc::clone(&self.elaborator))
         }
     }
@@ -178,6 +197,8 @@ impl<'a> Evaluator<'a> {
         Self {
             fixed,
             solved,
+            assumed: self.assumed.clone(),
+            has_given: self.has_given,
             sampled: true,
             ..Self::with(Rc::clone(&self.elaborator))
         }

@@ -74,11 +74,11 @@ pub(crate) fn letter(paper: &PaperOutcome, accepted: &BTreeSet<String>) -> Lette
         let of = placed.iter().filter(|(part, _)| *part == wanted);
         of.map(|(_, item)| item.clone()).collect()
     };
-    let (corrections, conditions, questions) = (
-        take(FaultPart::Correction),
-        take(FaultPart::Condition),
-        take(FaultPart::Question),
-    );
+    let corrections = take(FaultPart::Correction);
+    let conditions = take(FaultPart::Condition);
+    // What the print may say itself needs no counterexample.
+    let asked = |item: Item| Item { why: None, ..item };
+    let questions: Vec<Item> = take(FaultPart::Question).into_iter().map(asked).collect();
     let is_open = |outcome: &&Outcome| {
         outcome.verdict() == Verdict::Undecided && outcome.claim.kind != Kind::Remark
     };

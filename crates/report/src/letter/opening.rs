@@ -50,7 +50,7 @@ impl Scope {
             (1, 1) => "We wrote the statement of your paper as a formula and decided it by exact computation, with the program torse".to_owned(),
             (_, _) if decided == total => format!("We wrote each of the {total} statements of your paper as a formula and decided it by exact computation, with the program torse"),
             (1, _) => format!("Of the {total} statements, formulas and figures of your paper, we wrote one as a formula and decided it by exact computation, with the program torse"),
-            _ => format!("Of the {total} statements, formulas and figures of your paper, we wrote {decided} as formulas and decided them by exact computation, with the program torse"),
+            _ => format!("Of the {total} statements, formulas and figures of your paper, we wrote {decided} as formulas and checked them by exact computation, with the program torse"),
         }
     }
 }

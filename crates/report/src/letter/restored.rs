@@ -15,7 +15,7 @@ pub(super) fn restored(paper: &PaperOutcome) -> Option<String> {
     if all > 0 {
         let were = if all == 1 { "was" } else { "were" };
         sentences.push(format!(
-            "With all corrections of this letter made, the {} that they concern {were} decided again: {}.",
+            "With all corrections of this letter made, the {} that they concern {were} checked again: {}.",
             plural(all, "statement"),
             enumeration(&shares(paper, &made.corrected, "not corrected, and cannot stay as printed")),
         ));
@@ -26,7 +26,7 @@ pub(super) fn restored(paper: &PaperOutcome) -> Option<String> {
             _ => ("rest", "were"),
         };
         sentences.push(format!(
-            "The {} that {rests} on these or on a corrected definition {were} decided with them: {}.",
+            "The {} that {rests} on these or on a corrected definition {were} checked with them: {}.",
             plural(resting, "other statement"),
             enumeration(&shares(paper, &made.dependents, "not true")),
         ));
@@ -39,7 +39,7 @@ pub(super) fn restored(paper: &PaperOutcome) -> Option<String> {
         };
         sentences.push(format!(
             "{} {are} of words alone; nothing is computed about {them} ({}).",
-            plural(words, "correction"),
+            plural(words, "change"),
             places(paper, made.reworded.iter().map(String::as_str)),
         ));
     }

@@ -129,6 +129,7 @@ impl<'a> Branch<'a> {
             self.constrain(Fraction::zero(), Relation::Different);
             return Ok(Cases::Nowhere);
         }
+        let is_given = matches!(equation, Equation::Given { .. });
         let (by, open) = match equation {
             Equation::Assumed(Divisors { open, nonzero }) => {
                 (Determining::Assumed { nonzero }, open)
@@ -153,6 +154,12 @@ impl<'a> Branch<'a> {
         let mut values = vec![];
         for (unknown, value) in solutions {
             let value = self.substitute(unknown, value)?;
+            match is_given {
+                true => self.evaluator.give(),
+                // A number moves with no symbol.
+                false if value.symbols().is_empty() => {}
+                false => self.evaluator.assume(unknown.symbol().clone()),
+            }
             values.push(Determined {
                 symbol: plain_symbol(unknown.symbol()),
                 value: quotient(&value),

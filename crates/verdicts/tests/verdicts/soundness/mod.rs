@@ -7,6 +7,7 @@ use crate::common;
 
 mod accused;
 mod adversary;
+mod coefficients;
 mod conditions;
 mod defined;
 mod denied;
