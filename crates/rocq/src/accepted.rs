@@ -4,7 +4,7 @@ use crate::digest::Digest;
 use crate::folder::ACCEPTED;
 use crate::library::LIBRARY;
 use crate::printed::{self, FOLLOWS, FUNCTIONS, JETS};
-use crate::theorem::Theorem;
+use crate::theorem::{RestsOn, Theorem};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -82,16 +82,20 @@ impl Fingerprints {
     /// Returns the digest of one theorem.
     #[must_use]
     pub fn fingerprint(&self, theorem: &Theorem) -> String {
-        let shared = self.0.clone();
-        let own = shared.and(&theorem.says).and(&theorem.proof);
+        let own = self.0.clone().and(&theorem.says);
         // A statement that follows from another one was accepted together with it, by its own tactic.
         let whole = match &theorem.rests_on {
-            Some(core) if printed::uses_jets(&theorem.proof) => {
-                let own = own.and(core).and(FOLLOWS.1);
-                own.and(JETS.1).and(FUNCTIONS.1)
+            None => own.and(&theorem.proof),
+            Some(RestsOn {
+                statement,
+                plain_proof,
+            }) => {
+                let own = own.and(plain_proof).and(statement).and(FOLLOWS.1);
+                match printed::uses_jets(&theorem.proof) {
+                    true => own.and(JETS.1).and(FUNCTIONS.1),
+                    false => own,
+                }
             }
-            Some(core) => own.and(core).and(FOLLOWS.1),
-            None => own,
         };
         whole.hexadecimal()
     }

@@ -68,8 +68,6 @@ impl SharedEquations {
 /// The equations that the theorems of one claim are rewritten by.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Equations {
-    /// The lines of the shared definitions among them.
-    pub(crate) shared: String,
     /// The lines of the definitions that only this claim has.
     pub(crate) own: String,
     /// Between printed definitions and proved ones, in the order of the definitions.
@@ -109,14 +107,14 @@ impl Equations {
                     all.own.extend(equation.iter().map(|own| own.line.as_str()));
                     equation
                 }
-                false => all.take_shared(&shared.between, name),
+                false => shared_equation(&shared.between, name),
             };
             all.between.extend(equation);
         }
         let text = proved.proposition.universal();
         let occur: BTreeSet<&str> = words(&text).collect();
         let mut at_integers = vec![];
-        let (own, shared_lines) = (all.own.len(), all.shared.len());
+        let own = all.own.len();
         for definition in &there {
             let equation = match is_own(definition.text) {
                 true => {
@@ -124,7 +122,7 @@ impl Equations {
                     all.own.extend(equation.iter().map(|own| own.line.as_str()));
                     equation
                 }
-                false => all.take_shared(&shared.at_integers, definition.name),
+                false => shared_equation(&shared.at_integers, definition.name),
             };
             at_integers.extend(equation);
         }
@@ -135,20 +133,8 @@ impl Equations {
         all.at_integers = at_integers.into_iter().filter(occurs).collect();
         if all.at_integers.is_empty() {
             all.own.truncate(own);
-            all.shared.truncate(shared_lines);
         }
         all
-    }
-
-    /// Takes the shared equation of a definition, with its line.
-    fn take_shared(&mut self, shared: &[Equation], name: &str) -> Option<Equation> {
-        let is_named = |equation: &&Equation| {
-            let replaced = equation.replaced.rsplit('.').next();
-            replaced == Some(name)
-        };
-        let equation = shared.iter().find(is_named)?;
-        self.shared.push_str(&equation.line);
-        Some(equation.clone())
     }
 
     /// Returns the tactics that prove a statement from a proved one; `what` is the name of both.
@@ -174,6 +160,15 @@ impl Equations {
             ),
         }
     }
+}
+
+/// Returns the shared equation of a definition.
+fn shared_equation(shared: &[Equation], name: &str) -> Option<Equation> {
+    let is_named = |equation: &&Equation| {
+        let replaced = equation.replaced.rsplit('.').next();
+        replaced == Some(name)
+    };
+    shared.iter().find(is_named).cloned()
 }
 
 /// A definition of a section: where it stands, its name, and its text.

@@ -10,7 +10,7 @@ use crate::printed::{self, FOLLOWS, FUNCTIONS, JETS, PRINTED};
 use crate::script::{self, scripts};
 use crate::shared::Shared;
 use crate::task::{Goal, ProofTask, goals};
-use crate::theorem::Theorem;
+use crate::theorem::{RestsOn, Theorem};
 use crate::{check, closed, modules, section};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -283,6 +283,10 @@ impl Folder {
                     (&shared_print, &shared),
                     (printed, goal),
                 );
+
+                let proof = printed::module(&section, (printed, goal), &equations, &scripts);
+                let plain =
+                    printed::module(&section, (printed, goal), &Equations::default(), &scripts);
                 followed.push(Theorem {
                     section: own,
                     module: goal.module.clone(),
@@ -290,10 +294,11 @@ impl Folder {
                     role: goal.role,
                     evidence: goal.evidence,
                     says: section::statement(printed, &printed.definitions()),
-                    proof: printed::module(&section, (printed, goal), &equations, &scripts),
-                    rests_on: Some(
-                        equations.shared + &section::statement(goal, &goal.definitions()),
-                    ),
+                    proof,
+                    rests_on: Some(RestsOn {
+                        statement: section::statement(goal, &goal.definitions()),
+                        plain_proof: plain,
+                    }),
                 });
             }
             if !proved.is_empty() {

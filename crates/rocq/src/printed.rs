@@ -250,7 +250,7 @@ mod tests {
                 "Module a.\nTheorem proved : statement.\nProof. follows S_proofs.a.proved. Qed.\n\
                     Theorem met : instance.\nProof. hnf; exists 0. Qed.\nEnd a.\n"
                     .to_owned(),
-            rests_on: Some(String::new()),
+            rests_on: None,
         };
         assert_eq!(
             alone(&theorem),

@@ -20,8 +20,17 @@ pub struct Theorem {
     pub says: String,
     /// The text of the proof.
     pub proof: String,
-    /// The proved statement, if this one follows from it.
-    pub rests_on: Option<String>,
+    /// What it follows from, if it follows from another one.
+    pub rests_on: Option<RestsOn>,
+}
+
+/// What a printed statement follows from.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct RestsOn {
+    /// The proved statement.
+    pub statement: String,
+    /// The text of the proof without equations of definitions: which of these stand in it depends on the claims beside it.
+    pub plain_proof: String,
 }
 
 impl Theorem {

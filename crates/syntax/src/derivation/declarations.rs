@@ -295,6 +295,39 @@ impl Declarations {
                 self.ranges.insert(name.clone(), range);
             }
         }
+        for (name, entry) in table {
+            let indices = entry.indices.iter().flatten();
+            for text in entry.integer.iter().chain(indices) {
+                if let Some(wrong) = self.strange_end(name, text.get_ref()) {
+                    errors
+                        .0
+                        .push(complaint(&Origin::from_spanned(source, text), wrong));
+                    self.mark_invalid([name.clone()]);
+                }
+            }
+        }
+    }
+
+    /// What is wrong with the names in an integer range: its ends are made of numbers and of other integer symbols.
+    fn strange_end(&self, own: &str, text: &str) -> Option<String> {
+        let (least, most) = integer_range(text)?;
+        let ends = least.iter().chain(&most);
+        let mut names = ends.flat_map(|end| end.multiples().map(|(name, _)| name));
+        let is_integer = |name: &&str| {
+            let kind = self.symbols.get(*name);
+            *name != own && matches!(kind, Some(SymbolKind::Integer { .. }))
+                || self.invalid.contains(*name)
+        };
+        let name = names.find(|name| !is_integer(name))?;
+        Some(match self.symbols.get(name) {
+            _ if name == own => format!("the range of `{own}` cannot depend on `{own}`"),
+            None => format!(
+                "`{name}` is no declared integer: the ends of a range are numbers and integer symbols"
+            ),
+            Some(_) => format!(
+                "`{name}` is no integer: the ends of a range are numbers and integer symbols"
+            ),
+        })
     }
 
     /// Adds or replaces the display forms of names.
