@@ -54,6 +54,17 @@ impl<'s> Text<'s> {
         self.source.text.get(node.byte_range()).unwrap_or("")
     }
 
+    /// The name that an identifier is.
+    pub(crate) fn name(self, node: CodeNode<'_>) -> Read<&'s str> {
+        let name = self.text(node);
+        if is_plain(name) {
+            return Ok(name);
+        }
+        let message = format!("the name `{name}` may be written in several ways");
+        let help = "names of ASCII letters, digits and `_` are read, and plain Greek letters";
+        Err(self.refused(node, message, help))
+    }
+
     /// Refuses what stands at a node.
     pub(crate) fn refused(
         self,
@@ -141,6 +152,16 @@ fn decimal(digits: &str) -> Option<Rational> {
     } else {
         figure * power
     })
+}
+
+/// Whether an identifier is one name however it is looked at: languages take some letters for others, and `r#x` is `x`.
+pub(crate) fn is_plain(name: &str) -> bool {
+    let is_greek = |c: char| {
+        let is_small = ('α'..='ω').contains(&c);
+        is_small || ('Α'..='Ω').contains(&c)
+    };
+    name.chars()
+        .all(|c| c.is_ascii_alphanumeric() || c == '_' || is_greek(c))
 }
 
 /// A number as a machine integer, if it is one.

@@ -96,6 +96,14 @@ pub(crate) mod operation {
     pub(crate) const WHOLE: &str = "#whole";
     /// The number pi.
     pub(crate) const PI: &str = "#pi";
+    /// The base of the exponentials.
+    pub(crate) const E: &str = "#e";
+    /// With the name of a function behind it: that function of numbers for which it is real.
+    pub(crate) const REAL: &str = "#real:";
+    /// With the name of a function behind it: that function of integers that are not negative.
+    pub(crate) const NATURAL: &str = "#natural:";
+    /// An integer itself, whose power is one of integers.
+    pub(crate) const INTEGER: &str = "#integer";
     /// True and false.
     pub(crate) const FALSE: &str = "#false";
 }
@@ -114,7 +122,10 @@ pub(crate) struct Program {
 #[derive(Debug, Clone)]
 pub(crate) struct Constant {
     pub(crate) name: String,
-    pub(crate) value: Expr,
+    /// Where it is given its value: in Python names that get theirs later have none yet.
+    pub(crate) position: usize,
+    /// Its value, or why it is not read.
+    pub(crate) value: Result<Expr, Box<DerivationError>>,
     /// Whether all that the file does with it is to read its entries: then a list stays as it was made.
     pub(crate) is_only_read: bool,
 }

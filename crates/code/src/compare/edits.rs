@@ -6,7 +6,7 @@
 use super::comparison::{CodeEdit, line};
 use super::render::{Rewritten, rewritten};
 use crate::program::{Function, Part, Program, Replaced, Step, Target, formulas};
-use crate::run::{self, setting::Setting};
+use crate::run::{self, Obligation, setting::Setting};
 use std::collections::BTreeSet;
 use torse_syntax::derivation::{Claim, Written};
 use torse_syntax::formula::{Expr, Node};
@@ -23,6 +23,7 @@ pub(super) fn search(
     program: &Program,
     function: &Function,
     setting: Setting<'_>,
+    shown_before: &[Obligation],
 ) -> (Option<CodeEdit>, bool) {
     let mut all = vec![];
     for name in called(program, function) {
@@ -58,7 +59,14 @@ pub(super) fn search(
             let (value, taken) = run::counted(&changed, own, setting);
             steps += taken;
             let change: (Part<'_>, Expr) = (part, edit.expr);
-            Some((value.ok()?, change))
+            let computed = value.ok()?;
+            // What would have to be shown first of the changed program is no change that is proposed.
+            let is_shown = |own: &Obligation| {
+                let mut before = shown_before.iter();
+                before.any(|other| other.condition == own.condition)
+            };
+            let is_real = computed.obligations.iter().all(is_shown);
+            is_real.then_some((computed.formula, change))
         });
     let search = replace_side(claim, statement, 0, candidates);
     let found = search.found.and_then(|found| {

@@ -10,11 +10,12 @@ pub use question::{CodeQuestion, PrintedSide};
 
 use crate::grammar::Read;
 use crate::program::{CodeLanguage, Function, Program, refused};
-use crate::run::{self, setting::Setting};
+use crate::run::{self, Obligation, setting::Setting};
 use crate::{python, rust};
 use question::Asked;
 use std::sync::Arc;
 use torse_numbers::{stack, work};
+use torse_syntax::derivation::declarations::SymbolKind;
 use torse_syntax::derivation::{Claim, DerivationError, Hypothesis, Provenance, Source, Written};
 use torse_syntax::formula::{Expr, Node, Place, Relation};
 use torse_syntax::notation;
@@ -58,6 +59,11 @@ fn compared(budget: u64, paper: &str, claim: &Claim, question: &CodeQuestion) ->
     });
     let demanded: Vec<Hypothesis> = demanded.collect();
     asked.hypotheses.extend(demanded);
+    for dummy in &computed.dummies {
+        let kind = SymbolKind::Real(Box::default());
+        asked.declarations = Arc::new(asked.declarations.with_symbol(dummy, kind));
+    }
+    real(budget, paper, &asked, &source, &computed.obligations)?;
     // What is wrong about the formula of the code is shown where the code is.
     let outcome = decided(budget, paper, &asked, &code, &asked.printed).map_err(|error| {
         // Indices of sums are numbered behind this sign.
@@ -119,10 +125,36 @@ fn compared(budget: u64, paper: &str, claim: &Claim, question: &CodeQuestion) ->
                 (&equation, statement),
                 (&program, function),
                 setting,
+                &computed.obligations,
             );
         }
     }
     Ok(comparison)
+}
+
+/// Fails unless it is shown that roots and logarithms of the program are real wherever it has a value: elsewhere the program has complex
+/// values, and formulas none.
+fn real(
+    budget: u64,
+    paper: &str,
+    asked: &Asked<'_>,
+    source: &Arc<Source>,
+    obligations: &[Obligation],
+) -> Read<()> {
+    for Obligation { condition, place } in obligations {
+        let claim = asked.stating(condition.clone());
+        let is_shown = decide_claim_within(budget / 5, paper, &claim)
+            .is_ok_and(|outcome| outcome.verdict() == Verdict::Holds);
+        if !is_shown {
+            let condition = notation::text(condition);
+            let message = format!("this is a complex number in Python unless {condition}");
+            let help = format!(
+                "say where it is real, `--where '{condition}'`, or use a function that has real values alone: `math.sqrt`"
+            );
+            return Err(refused(source, *place, message, help));
+        }
+    }
+    Ok(())
 }
 
 /// Searches the one change of the code, and that of the print.
@@ -132,9 +164,10 @@ fn correct(
     (claim, statement): (&Claim, &Written),
     (program, function): (&Program, &Function),
     setting: Setting<'_>,
+    shown_before: &[Obligation],
 ) {
     let of_code = work::within(budget / 5, || {
-        edits::search(claim, statement, program, function, setting)
+        edits::search(claim, statement, program, function, setting, shown_before)
     });
     let of_print = work::within(budget / 5, || edit_right_side(claim, statement));
     match of_code {
@@ -165,14 +198,19 @@ fn decided(budget: u64, paper: &str, asked: &Asked<'_>, code: &Expr, side: &Expr
 impl Asked<'_> {
     /// The claim that the code equals a side, under the hypotheses of the claim and of the question.
     fn claim(&self, code: &Expr, side: &Expr) -> Claim {
-        let mut claim = self.claim.clone();
         let rest = vec![(Relation::Equal, side.clone())];
-        let place = side.place;
+        self.stating(Expr {
+            node: Node::Compare(Arc::new(code.clone()), rest),
+            place: side.place,
+        })
+    }
+
+    /// The claim that a formula holds, under the same hypotheses.
+    fn stating(&self, expr: Expr) -> Claim {
+        let mut claim = self.claim.clone();
+        claim.declarations = Arc::clone(&self.declarations);
         claim.statement = Some(Written {
-            expr: Expr {
-                node: Node::Compare(Arc::new(code.clone()), rest),
-                place,
-            },
+            expr,
             origin: self.origin.clone(),
         });
         claim.assumptions.extend(self.hypotheses.iter().cloned());

@@ -4,6 +4,7 @@ use crate::grammar::{Read, small};
 use crate::program::refused;
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use torse_syntax::derivation::declarations::Declarations;
 use torse_syntax::derivation::schema::SideEntry;
 use torse_syntax::derivation::{
     Claim, DerivationError, Hypothesis, Origin, Provenance, Source, Written,
@@ -89,6 +90,8 @@ impl CodeQuestion {
 pub(super) struct Asked<'c> {
     pub(super) claim: &'c Claim,
     pub(super) origin: Origin,
+    /// The claim's names, and those that the code binds itself.
+    pub(super) declarations: Arc<Declarations>,
     /// The side that the code is compared with.
     pub(super) printed: Expr,
     /// The other side of the claim.
@@ -134,6 +137,7 @@ impl<'c> Asked<'c> {
         Ok(Self {
             claim,
             origin,
+            declarations: Arc::clone(&claim.declarations),
             printed: printed.clone(),
             other: other.clone(),
             hypotheses,

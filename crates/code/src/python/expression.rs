@@ -1,6 +1,6 @@
 //! Expressions of Python.
 
-use super::names::{Imports, Meaning};
+use super::names::{Meaning, Names, Sure, meaning};
 use crate::grammar::{CodeNode, Read, Text, at, binary, children, place};
 use crate::program::{call, operation};
 use std::collections::BTreeSet;
@@ -13,12 +13,10 @@ use torse_syntax::formula::{Connective, Expr, Node, Operator, Relation};
 #[derive(Clone, Copy)]
 pub(super) struct Reader<'s> {
     pub(super) text: Text<'s>,
-    pub(super) imports: &'s Imports,
+    pub(super) names: &'s Names,
     /// The functions of the file.
     pub(super) functions: &'s BTreeSet<String>,
-    /// The names that hide imported ones here: functions and variables.
-    pub(super) own: &'s BTreeSet<String>,
-    /// The variables of the function that is read.
+    /// The variables here, which hide names of the file.
     pub(super) locals: &'s BTreeSet<String>,
 }
 
@@ -67,7 +65,14 @@ impl Reader<'_> {
                 let items = self.all(&children(node))?;
                 Ok(at(node, Node::List(items)))
             }
-            "list_comprehension" | "generator_expression" => self.comprehension(node),
+            "list_comprehension" => self.comprehension(node),
+            "generator_expression" => {
+                let message =
+                    "the values of this are made later, when other things may have changed";
+                let help =
+                    "write a list, `[... for ...]`, or sum it up at once: `sum(... for ...)`";
+                Err(self.refused(node, message, help))
+            }
             "subscript" => self.subscript(node),
             "attribute" => self.attribute(node),
             "call" => self.application(node),
@@ -122,17 +127,39 @@ impl Reader<'_> {
     }
 
     fn name(self, node: CodeNode<'_>) -> Read<Expr> {
-        let name = self.text.text(node);
-        if !self.own.contains(name) {
-            match self.imports.name(name) {
-                Some(Meaning::Pi) => return Ok(at(node, Node::Name(operation::PI.to_owned()))),
-                Some(Meaning::E) => {
-                    return Ok(self.call(node, "exp", vec![Expr::number(&integer(1))]));
-                }
-                _ => {}
-            }
+        let name = self.text.name(node)?;
+        let own = |name: &str| at(node, Node::Name(name.to_owned()));
+        if self.locals.contains(name) {
+            return Ok(own(name));
         }
-        Ok(at(node, Node::Name(name.to_owned())))
+        Ok(match self.sure(node, name)? {
+            Sure::Known(Meaning::Pi) => own(operation::PI),
+            Sure::Known(Meaning::E) => own(operation::E),
+            _ => own(name),
+        })
+    }
+
+    /// What a name is that no variable hides.
+    fn sure(self, node: CodeNode<'_>, name: &str) -> Read<Sure> {
+        self.names
+            .name(name)
+            .map_err(|message| self.unsure(node, &message))
+    }
+
+    fn unsure(self, node: CodeNode<'_>, message: &str) -> Box<DerivationError> {
+        let help = "give each thing of the file a name of its own, once, and outside of functions";
+        self.refused(node, message, help)
+    }
+
+    /// The module that something is, which no variable hides.
+    pub(super) fn module(self, node: CodeNode<'_>) -> Read<Option<String>> {
+        let object = self.text.text(node);
+        let first = object.split('.').next().unwrap_or(object);
+        if self.locals.contains(first) {
+            return Ok(None);
+        }
+        let module = self.names.module(object);
+        module.map_err(|message| self.unsure(node, &message))
     }
 
     fn unary(self, node: CodeNode<'_>) -> Read<Expr> {
@@ -221,38 +248,52 @@ impl Reader<'_> {
         let [body, clauses @ ..] = parts.as_slice() else {
             return Err(self.unread(node));
         };
-        let mut value = self.expression(*body)?;
         let operation = match node.kind() {
             "generator_expression" => operation::GENERATE,
             _ => operation::FOR,
         };
-        for (position, clause) in clauses.iter().enumerate().rev() {
-            if clause.kind() != "for_in_clause" {
-                let message = "a condition in a comprehension is not read";
-                return Err(self.refused(*clause, message, "write a loop with `if`"));
-            }
-            if position > 0 {
-                let message = "a comprehension over two variables is not read";
-                return Err(self.refused(*clause, message, "write one inside of the other"));
-            }
-            let variable = self.text.field(*clause, "left")?;
-            let name = match variable.kind() {
-                "identifier" => at(variable, Node::Name(self.text.text(variable).to_owned())),
-                _ => {
-                    let names = children(variable);
-                    if names.iter().any(|name| name.kind() != "identifier") {
-                        return Err(self.unread(variable));
-                    }
-                    let names = names
-                        .iter()
-                        .map(|name| at(*name, Node::Name(self.text.text(*name).to_owned())));
-                    at(variable, Node::List(names.collect()))
-                }
+        let [clause, more @ ..] = clauses else {
+            return Err(self.unread(node));
+        };
+        if let Some(more) = more.first() {
+            let (message, help) = match more.kind() {
+                "for_in_clause" => (
+                    "a comprehension over two variables is not read",
+                    "write one inside of the other",
+                ),
+                _ => (
+                    "a condition in a comprehension is not read",
+                    "write a loop with `if`",
+                ),
             };
-            let values = self.expression(self.text.field(*clause, "right")?)?;
-            value = self.call(node, operation, vec![value, name, values]);
+            return Err(self.refused(*more, message, help));
         }
-        Ok(value)
+        let variable = self.text.field(*clause, "left")?;
+        let names = match variable.kind() {
+            "identifier" => vec![variable],
+            _ => children(variable),
+        };
+        let mut locals = self.locals.clone();
+        let mut read = vec![];
+        for name in names {
+            if name.kind() != "identifier" {
+                return Err(self.unread(variable));
+            }
+            let own = self.text.name(name)?;
+            locals.insert(own.to_owned());
+            read.push(at(name, Node::Name(own.to_owned())));
+        }
+        let name = match (variable.kind(), read.as_slice()) {
+            ("identifier", [only]) => only.clone(),
+            _ => at(variable, Node::List(read)),
+        };
+        let inner = Reader {
+            locals: &locals,
+            ..self
+        };
+        let value = inner.expression(*body)?;
+        let values = self.expression(self.text.field(*clause, "right")?)?;
+        Ok(self.call(node, operation, vec![value, name, values]))
     }
 
     fn subscript(self, node: CodeNode<'_>) -> Read<Expr> {
@@ -313,11 +354,11 @@ impl Reader<'_> {
     fn attribute(self, node: CodeNode<'_>) -> Read<Expr> {
         let object = self.text.field(node, "object")?;
         let member = self.text.text(self.text.field(node, "attribute")?);
-        let module = self.text.text(object);
-        let found = self.imports.member(module, member);
-        match found.filter(|_| self.is_module(module)) {
+        let module = self.module(object)?;
+        let found = module.and_then(|module| meaning(&module, member));
+        match found {
             Some(Meaning::Pi) => Ok(at(node, Node::Name(operation::PI.to_owned()))),
-            Some(Meaning::E) => Ok(self.call(node, "exp", vec![Expr::number(&integer(1))])),
+            Some(Meaning::E) => Ok(at(node, Node::Name(operation::E.to_owned()))),
             Some(_) => Err(self.refused(node, "a function without arguments", "call it")),
             None => {
                 let message = format!("`{member}` is not read");
@@ -331,27 +372,33 @@ impl Reader<'_> {
         let arguments = self.text.field(node, "arguments")?;
         let meaning = match function.kind() {
             "identifier" => {
-                let name = self.text.text(function);
-                if self.own.contains(name) {
-                    if !self.functions.contains(name) || self.locals.contains(name) {
+                let name = self.text.name(function)?;
+                let sure = match self.locals.contains(name) {
+                    true => Sure::Value,
+                    false => self.sure(function, name)?,
+                };
+                match sure {
+                    Sure::Value => {
                         let message = format!("`{name}` is a variable here, and is called");
                         let help = "functions that are defined by `def` are called";
                         return Err(self.refused(function, &message, help));
                     }
-                    let arguments = self.arguments(arguments)?;
-                    let head = at(function, Node::Name(name.to_owned()));
-                    return Ok(at(node, Node::Call(Arc::new(head), arguments)));
+                    Sure::Function => {
+                        let arguments = self.arguments(arguments, false)?;
+                        let head = at(function, Node::Name(name.to_owned()));
+                        return Ok(at(node, Node::Call(Arc::new(head), arguments)));
+                    }
+                    Sure::Known(meaning) => Some(meaning),
+                    Sure::Unread | Sure::Unknown => None,
                 }
-                self.imports.name(name)
             }
             "attribute" => {
                 let object = self.text.field(function, "object")?;
                 let member = self.text.text(self.text.field(function, "attribute")?);
-                let module = self.text.text(object);
-                if !self.is_module(module) {
+                let Some(module) = self.module(object)? else {
                     return self.method(node, object, member, arguments);
-                }
-                self.imports.member(module, member)
+                };
+                meaning(&module, member)
             }
             _ => None,
         };
@@ -365,18 +412,18 @@ impl Reader<'_> {
         self.with_meaning(node, meaning, arguments)
     }
 
-    /// Whether a name is a module that no variable hides.
-    pub(super) fn is_module(self, name: &str) -> bool {
-        let first = name.split('.').next().unwrap_or(name);
-        self.imports.is_module(name) && !self.own.contains(first)
-    }
-
-    /// The arguments of a call, of which none has a name.
-    fn arguments(self, node: CodeNode<'_>) -> Read<Vec<Expr>> {
-        if node.kind() == "generator_expression" {
-            return Ok(vec![self.expression(node)?]);
+    /// The arguments of a call, of which none has a name; one without a list, `(... for ...)`, where the call goes through it at once.
+    fn arguments(self, node: CodeNode<'_>, goes_through_it: bool) -> Read<Vec<Expr>> {
+        let nodes = match node.kind() {
+            "generator_expression" => vec![node],
+            _ => children(node),
+        };
+        if let [only] = nodes.as_slice()
+            && only.kind() == "generator_expression"
+            && goes_through_it
+        {
+            return Ok(vec![self.comprehension(*only)?]);
         }
-        let nodes = children(node);
         for argument in &nodes {
             if argument.kind() == "keyword_argument" {
                 let message = "an argument with a name is not read";
@@ -388,9 +435,21 @@ impl Reader<'_> {
 
     /// A call of what has a meaning of its own.
     fn with_meaning(self, node: CodeNode<'_>, meaning: Meaning, list: CodeNode<'_>) -> Read<Expr> {
-        if meaning == Meaning::Symbols {
-            return self.symbols(node, list);
+        if matches!(meaning, Meaning::Symbols | Meaning::Symbol) {
+            return self.symbols(node, list, meaning == Meaning::Symbol);
         }
+        let goes_through_it = matches!(
+            meaning,
+            Meaning::Function(
+                operation::SUM
+                    | operation::PRODUCT
+                    | operation::TOTAL
+                    | operation::TOTAL_PRODUCT
+                    | operation::LIST
+                    | "min"
+                    | "max"
+            )
+        );
         let is_array = matches!(
             meaning,
             Meaning::Function(
@@ -401,7 +460,7 @@ impl Reader<'_> {
             let message = "the type of an array is not read";
             return Err(self.refused(list, message, "give the entries alone"));
         }
-        let arguments = self.arguments(list)?;
+        let arguments = self.arguments(list, goes_through_it)?;
         let count = arguments.len();
         let wrong = || {
             let message = format!("this call with {count} arguments is not read");
@@ -416,7 +475,7 @@ impl Reader<'_> {
             _ => Err(wrong()),
         };
         match meaning {
-            Meaning::Pi | Meaning::E | Meaning::Symbols => {
+            Meaning::Pi | Meaning::E | Meaning::Symbols | Meaning::Symbol => {
                 Err(self.refused(node, "a number is no function", READ))
             }
             Meaning::Function(name) => Ok(self.call(node, name, arguments)),
@@ -427,10 +486,18 @@ impl Reader<'_> {
                 Ok(self.call(node, name, vec![one, other]))
             }
             Meaning::Whole => Ok(self.call(node, operation::WHOLE, vec![one()?])),
-            Meaning::Same => match arguments.first() {
-                Some(first) => Ok(first.clone()),
-                None => Err(wrong()),
+            Meaning::Same(most) => match arguments.first() {
+                Some(first) if count <= most => Ok(first.clone()),
+                _ => Err(wrong()),
             },
+            Meaning::Complex(name) => {
+                let name = format!("{}{name}", operation::REAL);
+                Ok(self.call(node, &name, vec![one()?]))
+            }
+            Meaning::Natural(name) => {
+                let name = format!("{}{name}", operation::NATURAL);
+                Ok(self.call(node, &name, arguments))
+            }
             Meaning::Quotient if count == 1 => one(),
             Meaning::Quotient => {
                 let (above, below) = two()?;
@@ -487,24 +554,52 @@ impl Reader<'_> {
     }
 
     /// New symbols of SymPy: their names in one text.
-    fn symbols(self, node: CodeNode<'_>, list: CodeNode<'_>) -> Read<Expr> {
-        let first = children(list).into_iter().next();
-        let content = first.filter(|first| first.kind() == "string");
-        let content = content.and_then(|string| {
-            let mut parts = children(string).into_iter();
-            parts.find(|part| part.kind() == "string_content")
-        });
+    fn symbols(self, node: CodeNode<'_>, list: CodeNode<'_>, is_one: bool) -> Read<Expr> {
+        let arguments = children(list);
+        let [string, assumptions @ ..] = arguments.as_slice() else {
+            return Err(self.refused(list, "a symbol has a name", "write `symbols('t u')`"));
+        };
+        // All values of a comparison are real numbers.
+        let is_real = |node: &CodeNode<'_>| {
+            let words: String = self.text.text(*node).split_whitespace().collect();
+            node.kind() == "keyword_argument" && words == "real=True"
+        };
+        if let Some(other) = assumptions.iter().find(|node| !is_real(node)) {
+            let message = "what is assumed of a symbol is not read";
+            let help = "leave it out: SymPy may use it for a value that does not satisfy it";
+            return Err(self.refused(*other, message, help));
+        }
+        let content = match (string.kind(), children(*string).as_slice()) {
+            ("string", [_, content, _]) if content.kind() == "string_content" => Some(*content),
+            _ => None,
+        };
+        let is_plain_text = self.text.text(*string).starts_with(['\'', '"']);
+        let content = content.filter(|node| is_plain_text && children(*node).is_empty());
         let Some(content) = content else {
             let message = "symbols have their names in one text";
             return Err(self.refused(list, message, "write `symbols('t u')`"));
         };
-        let is_between = |c: char| c == ',' || c.is_whitespace();
-        let names = self.text.text(content).split(is_between);
+        let written = self.text.text(content);
+        let is_between = |c: char| !is_one && (c == ',' || c.is_whitespace());
+        let names: Vec<&str> = written
+            .split(is_between)
+            .filter(|name| !name.is_empty())
+            .collect();
+        let is_name = |name: &&str| {
+            let starts = name.starts_with(|c: char| !c.is_ascii_digit());
+            starts && crate::grammar::is_plain(name)
+        };
+        // A sign `,` behind one name makes a tuple of it.
+        let is_tuple = !is_one && written.trim_end().ends_with(',');
+        if names.is_empty() || !names.iter().all(is_name) || is_tuple {
+            let message = "these names of symbols are not read";
+            return Err(self.refused(content, message, "write `symbols('t u')`"));
+        }
         let symbol = |name: &str| {
             let name = at(content, Node::Name(name.to_owned()));
             self.call(node, operation::SYMBOL, vec![name])
         };
-        let all: Vec<Expr> = names.filter(|name| !name.is_empty()).map(symbol).collect();
+        let all: Vec<Expr> = names.into_iter().map(symbol).collect();
         match all.as_slice() {
             [only] => Ok(only.clone()),
             _ => Ok(at(node, Node::List(all))),
@@ -519,7 +614,7 @@ impl Reader<'_> {
         member: &str,
         list: CodeNode<'_>,
     ) -> Read<Expr> {
-        let arguments = self.arguments(list)?;
+        let arguments = self.arguments(list, false)?;
         let value = self.expression(object)?;
         let with = |more: Vec<Expr>| std::iter::once(value.clone()).chain(more).collect();
         match (member, arguments.len()) {

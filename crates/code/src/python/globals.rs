@@ -1,69 +1,15 @@
-//! Names outside of functions: what gives them a meaning, and whether a list keeps the values that it was made of.
+//! Lists outside of functions: whether a list keeps the values that it was made of.
 
-use super::assigned;
+use super::bindings::bindings;
 use super::expression::Reader;
-use super::names::{Meaning, imported};
-use crate::grammar::{CodeNode, Text, children};
+use super::names::{Meaning, Sure};
+use crate::grammar::{CodeNode, children};
 use crate::program::operation;
-use std::collections::BTreeSet;
 
 /// The deepest chain of functions through which a list is followed.
 const MAX_CHAIN: usize = 8;
 /// The nesting of a list that is not known.
 const UNKNOWN: usize = 9;
-
-/// The names that a statement gives a meaning which is no assignment, import or definition of its own.
-pub(super) fn bound(text: Text<'_>, node: CodeNode<'_>, into: &mut Vec<String>) {
-    assigned(text, node, into);
-    let mut pending = vec![node];
-    while let Some(node) = pending.pop() {
-        match node.kind() {
-            "import_statement" | "import_from_statement" => into.extend(imported(text, node)),
-            "function_definition" | "class_definition" => {
-                let name = node.child_by_field_name("name");
-                into.extend(name.map(|name| text.text(name).to_owned()));
-            }
-            "as_pattern_target" | "delete_statement" | "case_pattern" | "type_alias_statement" => {
-                let mut words = vec![node];
-                while let Some(word) = words.pop() {
-                    if word.kind() == "identifier" {
-                        into.push(text.text(word).to_owned());
-                    }
-                    words.extend(children(word));
-                }
-            }
-            _ => {}
-        }
-        let is_function = node.kind() == "function_definition";
-        pending.extend(children(node).into_iter().filter(|_| !is_function));
-    }
-}
-
-/// The names that functions declare as global.
-pub(super) fn declared(text: Text<'_>, root: CodeNode<'_>) -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
-    let mut pending = vec![root];
-    while let Some(node) = pending.pop() {
-        let inner = children(node);
-        if node.kind() == "global_statement" {
-            found.extend(inner.iter().map(|name| text.text(*name).to_owned()));
-        }
-        pending.extend(inner);
-    }
-    found
-}
-
-/// Whether one of some names stands in a file.
-pub(super) fn mentions(text: Text<'_>, root: CodeNode<'_>, names: &[&str]) -> bool {
-    let mut pending = vec![root];
-    while let Some(node) = pending.pop() {
-        if node.kind() == "identifier" && names.contains(&text.text(node)) {
-            return true;
-        }
-        pending.extend(children(node));
-    }
-    false
-}
 
 /// Whether all that a file does with a name, which a statement gives a value, is to read the entries of a list.
 pub(super) fn is_only_read(
@@ -120,16 +66,16 @@ fn nesting(reader: Reader<'_>, node: CodeNode<'_>) -> usize {
 fn meaning(reader: Reader<'_>, function: CodeNode<'_>) -> Option<Meaning> {
     let text = reader.text;
     match function.kind() {
-        "identifier" => {
-            let name = text.text(function);
-            let found = reader.imports.name(name);
-            found.filter(|_| !reader.own.contains(name))
-        }
+        "identifier" => match reader.names.name(text.text(function)) {
+            Ok(Sure::Known(found)) => Some(found),
+            _ => None,
+        },
         "attribute" => {
-            let object = text.text(function.child_by_field_name("object")?);
+            let module = reader
+                .names
+                .module(text.text(function.child_by_field_name("object")?));
             let member = text.text(function.child_by_field_name("attribute")?);
-            let found = reader.imports.member(object, member);
-            found.filter(|_| reader.is_module(object))
+            super::names::meaning(&module.ok()??, member)
         }
         _ => None,
     }
@@ -166,10 +112,9 @@ impl Search<'_, '_> {
     /// Whether a function has a variable of the name.
     fn hides(self, function: CodeNode<'_>) -> bool {
         let text = self.reader.text;
-        let mut own = vec![];
-        if let Some(body) = function.child_by_field_name("body") {
-            assigned(text, body, &mut own);
-        }
+        let body: Vec<CodeNode<'_>> = function.child_by_field_name("body").into_iter().collect();
+        let names = bindings(text, &body).into_iter().map(|(name, _)| name);
+        let mut own: Vec<String> = names.collect();
         let parameters = function.child_by_field_name("parameters");
         let mut parameters = parameters.map(children).unwrap_or_default();
         while let Some(parameter) = parameters.pop() {
@@ -183,6 +128,24 @@ impl Search<'_, '_> {
             }
         }
         own.iter().any(|other| other == self.name)
+    }
+
+    /// Whether a function that is called may be a variable of a function around it.
+    fn is_local(self, called: CodeNode<'_>) -> bool {
+        let text = self.reader.text.text(called);
+        let search = Search {
+            name: text.split('.').next().unwrap_or(text),
+            ..self
+        };
+        let mut here = called.parent();
+        while let Some(node) = here {
+            let is_scope = matches!(node.kind(), "function_definition" | "lambda");
+            if is_scope && search.hides(node) {
+                return true;
+            }
+            here = node.parent();
+        }
+        false
     }
 
     /// Whether an occurrence of the name reads entries.
@@ -232,10 +195,18 @@ impl Search<'_, '_> {
                 let Some(function) = call.child_by_field_name("function") else {
                     return false;
                 };
+                if self.is_local(function) {
+                    return false;
+                }
+                // What has more arguments than are read may write into them.
+                let count = children(parent).len();
                 match meaning(self.reader, function) {
-                    Some(Meaning::Function(operation::LENGTH | operation::VECTOR)) => true,
+                    Some(Meaning::Function(operation::LENGTH | operation::VECTOR)) => count == 1,
                     Some(Meaning::Function(operation::AS_VECTOR)) => false,
-                    Some(Meaning::Function(_)) => depth == 1,
+                    Some(Meaning::Function("dot" | "cross" | operation::ZIP)) => {
+                        depth == 1 && count == 2
+                    }
+                    Some(Meaning::Function(_)) => depth == 1 && count == 1,
                     Some(_) => false,
                     None => {
                         let called = text.text(function);

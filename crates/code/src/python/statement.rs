@@ -157,7 +157,7 @@ impl Reader<'_> {
 
     fn target(self, node: CodeNode<'_>) -> Read<Target> {
         match node.kind() {
-            "identifier" => Ok(Target::Name(self.text.text(node).to_owned(), place(node))),
+            "identifier" => Ok(Target::Name(self.text.name(node)?.to_owned(), place(node))),
             "pattern_list" | "tuple_pattern" | "list_pattern" | "tuple" => {
                 let all = children(node).into_iter().map(|one| self.target(one));
                 Ok(Target::Several(all.collect::<Read<_>>()?, place(node)))

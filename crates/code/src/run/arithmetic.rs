@@ -4,7 +4,7 @@ use super::value::{Family, List, Shape, Term, Value};
 use super::{Runner, position};
 use crate::grammar::{Read, small};
 use crate::program::{CodeLanguage, Kind, NOWHERE};
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 use std::sync::Arc;
 use torse_numbers::rational::{integer, ratio};
 use torse_numbers::{Affine, Rational};
@@ -150,9 +150,10 @@ impl Runner<'_> {
         }
         let mut all = vec![];
         for _ in 0..count.max(0) {
-            self.spend(place)?;
+            for item in &items {
+                self.spend_all(item.entries(super::MAX_CODE_STEPS), place)?;
+            }
             all.extend(items.iter().cloned());
-            self.steps += items.len();
         }
         Ok(self.list(Shape::List, all))
     }
@@ -188,8 +189,14 @@ impl Runner<'_> {
             return Err(self.refused(place, message, help));
         }
         if let Some(value) = folded {
+            let are_dyadic = [&left.constant, &right.constant]
+                .iter()
+                .all(|own| own.as_ref().is_none_or(is_dyadic));
+            let is_exact = kind == Kind::Whole || (are_dyadic && is_dyadic(&value));
+            let is_rounded = left.is_rounded || right.is_rounded || !is_exact;
             return Ok(Term {
                 kind,
+                is_rounded,
                 ..Term::number(value, false)
             });
         }
@@ -207,6 +214,10 @@ impl Runner<'_> {
 
     /// A power with an exponent of one half.
     fn root(&mut self, base: Term, exponent: &Rational, place: Place) -> Read<Term> {
+        // The power of a negative number is complex in Python, and none in Rust.
+        if self.program.language == CodeLanguage::Python {
+            self.not_negative(base.expr.clone(), place);
+        }
         let root = Term::call("sqrt", vec![base]);
         if Some(exponent) == ratio(1, 2).as_ref() {
             return Ok(root);
@@ -251,7 +262,8 @@ impl Runner<'_> {
                 };
                 let index = self.constant(&index, place)?;
                 // Programs count from 0, the language from 1.
-                let position = position(index, usize::from(dimension), false);
+                let is_python = self.program.language == CodeLanguage::Python;
+                let position = position(index, usize::from(dimension), is_python);
                 let Some(position) = position else {
                     let message = format!("there is no entry {index} among {dimension}");
                     return Err(self.refused(place, message, "entries are counted from 0"));
@@ -294,6 +306,10 @@ impl Runner<'_> {
         } else if index.integer().is_some_and(|value| value < 0) {
             let message = "an index from the end of a list whose length is not fixed";
             return Err(self.refused(place, message, "fix its length: `--where 'n == 3'`"));
+        } else if self.program.language == CodeLanguage::Python && !self.is_natural(&index) {
+            let message = "this index may be negative, and then counts from the end";
+            let help = "declare the integers such that it is not negative, or fix them: `--where 'n == 3'`";
+            return Err(self.refused(place, message, help));
         }
         family.given.push(index.expr);
         if family.given.len() < family.ranges.len() {
@@ -342,8 +358,25 @@ impl Runner<'_> {
         Ok(value)
     }
 
+    /// Fails for a family whose first index is not 0: what list it is in a program is not known.
+    fn begins_at_zero(&self, family: &Family, place: Place) -> Read<()> {
+        match family.ranges.get(family.given.len()) {
+            Some((low, _)) if low.as_number() != Some(0) => {
+                let name = &family.name;
+                let message = format!(
+                    "the indices of `{name}` begin at {low} in the claim, and those of lists at 0"
+                );
+                let help =
+                    format!("say which list it is: `--map '{name}=[0, {name}[1], {name}[2]]'`");
+                Err(self.refused(place, message, help))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// All members of a family whose last range is fixed.
     pub(super) fn members(&mut self, family: &Family, place: Place) -> Read<Vec<Value>> {
+        self.begins_at_zero(family, place)?;
         let range = family.ranges.get(family.given.len());
         let ends = range.and_then(|(low, high)| Some((low.as_number()?, high.as_number()?)));
         let Some((low, high)) = ends else {
@@ -362,6 +395,7 @@ impl Runner<'_> {
 
     /// The number of members of a family.
     pub(super) fn count(&mut self, family: &Family, place: Place) -> Read<Value> {
+        self.begins_at_zero(family, place)?;
         let range = family.ranges.get(family.given.len());
         let count = range.map(|(low, high)| high.clone() - low.clone() + Affine::number(1));
         match count
@@ -399,6 +433,12 @@ fn folded(operator: Operator, a: &Rational, b: &Rational) -> Option<Rational> {
         .into_iter()
         .all(|n| n.bits() <= MAX_BITS);
     is_small.then_some(value)
+}
+
+/// Whether floating-point numbers have this value exactly: its denominator is a power of two, and it is not large.
+fn is_dyadic(value: &Rational) -> bool {
+    let scale = integer(2).pow(50);
+    (value * &scale).is_integer() && value.abs() < scale
 }
 
 /// How many bits an integer has.

@@ -1,7 +1,8 @@
 //! Assertions: a function has a value only where they hold, so they are hypotheses of the comparison.
 
+use super::symbols::free_names;
 use super::value::Value;
-use super::{Frame, Runner, free_names, holds};
+use super::{Frame, Runner, holds};
 use crate::grammar::Read;
 use std::sync::Arc;
 use torse_syntax::formula::{Connective, Expr, Node, Place};

@@ -1,5 +1,6 @@
 //! Sums and products of lists, and those of ranges whose ends are not fixed.
 
+use super::bounds::Index;
 use super::value::{Shape, Term, Value};
 use super::{Frame, Runner, one};
 use crate::grammar::Read;
@@ -113,13 +114,16 @@ impl Runner<'_> {
         if !torse_syntax::formula::is_name(&index) {
             index = "i".to_owned();
         }
-        while self.setting.is_declared(&index) || self.bound.contains(&index) {
+        while self.setting.is_declared(&index)
+            || self.bound.iter().any(|own| own.name == index)
+            || !self.symbols.is_index(&index)
+        {
             index = format!("i{index}");
         }
         let outer = frame.hidden.len();
         let variable = Term::formula(Expr::name(&index), Kind::Whole);
         frame.hide(name, Value::Term(variable));
-        self.bound.push(index.clone());
+        self.bound.push(Index::new(&index, &low.expr, &high.expr));
         let body = self.value(parts.body, frame);
         self.bound.pop();
         frame.restore(outer);

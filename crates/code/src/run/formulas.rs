@@ -1,13 +1,14 @@
 //! Functions of formulas, applied to values.
 
-use super::Runner;
 use super::value::{Shape, Term, Value};
+use super::{Obligation, Runner};
 use crate::grammar::Read;
 use crate::program::{CodeLanguage, Kind};
 use num_traits::Signed;
+use std::sync::Arc;
 use torse_numbers::rational::integer;
 use torse_syntax::formula::functions::{ELEMENTARY, is_function};
-use torse_syntax::formula::{Node, Place};
+use torse_syntax::formula::{Expr, Node, Operator, Place, Relation};
 
 impl Runner<'_> {
     /// A function of formulas.
@@ -34,6 +35,15 @@ impl Runner<'_> {
             _ if ELEMENTARY.contains(&name) => &[1],
             _ => &[],
         };
+        if self.program.language == CodeLanguage::Rust
+            && ELEMENTARY.contains(&name)
+            && name != "abs"
+            && let [Value::Term(term)] = values.as_slice()
+            && term.kind == Kind::Whole
+        {
+            let message = format!("an integer has no `{name}` in Rust");
+            return Err(self.refused(place, message, "convert it before: `n as f64`"));
+        }
         if !is_function(name) || !counts.contains(&count) {
             let message = format!("`{name}` of {count} arguments is not read");
             return Err(self.refused(place, message, "give as many arguments as it has"));
@@ -45,6 +55,8 @@ impl Runner<'_> {
         let takes_lists = matches!(name, "dot" | "cross");
         let takes_points = takes_lists || matches!(name, "D" | "at" | "integral" | "sum");
         let is_python = self.program.language == CodeLanguage::Python;
+        let kinds = values.iter().map(Value::number_kind);
+        let of_all = kinds.reduce(Kind::joined).unwrap_or(Kind::Unknown);
         let mut terms = vec![];
         for value in values {
             let kind = value.kind();
@@ -88,14 +100,17 @@ impl Runner<'_> {
             && let Some(value) = terms.first().and_then(|term| term.constant.clone())
         {
             let kind = terms.first().map_or(Kind::Unknown, |term| term.kind);
+            let is_rounded = terms.first().is_some_and(|term| term.is_rounded);
             return Ok(Value::Term(Term {
                 kind,
+                is_rounded,
                 ..Term::number(value.abs(), false)
             }));
         }
         let kind = match name {
             "abs" => terms.first().map_or(Kind::Unknown, |term| term.kind),
             "binom" | "factorial" => Kind::Whole,
+            "dot" | "cross" => of_all,
             // The functions of the language of a program are those of floating-point numbers.
             _ if ELEMENTARY.contains(&name) => Kind::Float,
             _ if is_python => Kind::Float,
@@ -112,6 +127,40 @@ impl Runner<'_> {
             ..Term::call(name, terms)
         };
         self.bounded(term, place)
+    }
+
+    /// A function of numbers that has complex values elsewhere: where it is real is to be shown.
+    pub(super) fn real(&mut self, name: &str, values: Vec<Value>, place: Place) -> Read<Value> {
+        let one = Expr::number(&integer(1));
+        for value in &values {
+            let Value::Term(term) = value else {
+                let message = format!("`{name}` of {} is not read", value.kind());
+                return Err(self.refused(place, message, "give a number"));
+            };
+            match name {
+                "asin" | "acos" => {
+                    let above = one.clone().with(Operator::Add, term.expr.clone());
+                    let below = one.clone().with(Operator::Subtract, term.expr.clone());
+                    self.not_negative(above, place);
+                    self.not_negative(below, place);
+                }
+                _ => self.not_negative(term.expr.clone(), place),
+            }
+        }
+        self.function(name, values, place)
+    }
+
+    /// Notes that a formula has to be at least zero.
+    pub(super) fn not_negative(&mut self, expr: Expr, place: Place) {
+        if matches!(&expr.node, Node::Number { value, .. } if !value.is_negative()) {
+            return;
+        }
+        let relation = vec![(Relation::AtLeast, Expr::number(&integer(0)))];
+        let condition = Expr::made(Node::Compare(Arc::new(expr), relation));
+        let obligation = Obligation { condition, place };
+        if !self.obligations.contains(&obligation) {
+            self.obligations.push(obligation);
+        }
     }
 
     /// Fails unless both are points, or lists of numbers that are as long.
@@ -167,10 +216,16 @@ impl Runner<'_> {
             found = Some(match found {
                 None => next,
                 Some(before) => match (&before.constant, &next.constant) {
-                    (Some(a), Some(b)) if (a >= b) == (name == "max") => before,
+                    // The first of equal ones, as languages have it.
+                    (Some(a), Some(b)) if a == b => before,
+                    (Some(a), Some(b)) if (a > b) == (name == "max") => before,
                     (Some(_), Some(_)) => next,
                     _ => Term {
-                        kind: before.kind.joined(next.kind),
+                        // It has the type of the one that it is.
+                        kind: match before.kind == next.kind {
+                            true => before.kind,
+                            false => Kind::Unknown,
+                        },
                         ..Term::call(name, vec![before, next])
                     },
                 },

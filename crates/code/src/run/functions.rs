@@ -88,23 +88,6 @@ impl Runner<'_> {
         }
     }
 
-    /// A new symbol of SymPy.
-    fn symbol(&mut self, name: &Expr, place: Place) -> Read<Value> {
-        let Node::Name(name) = &name.node else {
-            return Err(self.refused(place, "a symbol has a name", "write `symbols('t')`"));
-        };
-        if let Ok(value) = self.setting.symbol(name) {
-            return Ok(value);
-        }
-        if !torse_syntax::formula::is_name(name) || self.setting.is_declared(name) {
-            let message = format!("the symbol `{name}` has another meaning in the claim");
-            let help = format!("say what it stands for: `--map '{name}=FORMULA'`");
-            return Err(self.refused(place, message, help));
-        }
-        // The variable of a sum or of an integral: if it stands elsewhere, that is seen in the end.
-        Ok(Value::Term(Term::formula(Expr::name(name), Kind::Float)))
-    }
-
     /// An operation, or a function of formulas, on values.
     fn operation(&mut self, name: &str, values: Vec<Value>, place: Place) -> Read<Value> {
         match (name, values.as_slice()) {
@@ -181,11 +164,38 @@ impl Runner<'_> {
                 }
                 Ok(self.iterator(rows, &values))
             }
-            _ => match (name.strip_prefix(operation::WHOLE), name.strip_prefix("##")) {
-                (Some(kind), _) => self.integer(kind.trim_start_matches(':'), &values, place),
-                (None, Some(own)) => self.function(own, values, place),
-                (None, None) => self.function(name, values, place),
-            },
+            (operation::INTEGER, [Value::Term(term)]) if term.kind == Kind::Whole => {
+                Ok(Value::Term(term.clone()))
+            }
+            (operation::INTEGER, [other]) => {
+                let message = format!("{} with a point has no `pow`", other.kind());
+                Err(self.refused(
+                    place,
+                    message,
+                    "`powi` is the power of numbers with a point",
+                ))
+            }
+            _ => {
+                if let Some(kind) = name.strip_prefix(operation::WHOLE) {
+                    return self.integer(kind.trim_start_matches(':'), &values, place);
+                }
+                if let Some(own) = name.strip_prefix(operation::REAL) {
+                    return self.real(own, values, place);
+                }
+                if let Some(own) = name.strip_prefix(operation::NATURAL) {
+                    let is_natural = |value: &Value| match value {
+                        Value::Term(term) => self.is_natural(term),
+                        _ => false,
+                    };
+                    if !values.iter().all(is_natural) {
+                        let message = format!("SciPy's `{own}` is zero for negative integers");
+                        let help = "declare the integers such that they are not negative: `{ integer = \">= 0\" }`";
+                        return Err(self.refused(place, message, help));
+                    }
+                    return self.function(own, values, place);
+                }
+                self.function(name.strip_prefix("##").unwrap_or(name), values, place)
+            }
         }
     }
 }

@@ -31,16 +31,36 @@ impl Runner<'_> {
             let ends = ends.as_ref();
             value.is_integer() && ends.is_none_or(|(low, end)| low <= value && value < end)
         };
+        // What needs more than 63 bits is the overflow that is out of scope.
+        let is_wide = matches!(
+            kind,
+            "usize" | "isize" | "u64" | "i64" | "u128" | "i128" | ""
+        );
         let is_exact = match &term.constant {
             Some(value) => fits(value),
-            None => term.kind == Kind::Whole,
+            None if term.kind != Kind::Whole => false,
+            None => {
+                let is_signed = !kind.starts_with('u');
+                let least = self.least(term);
+                let greatest = self.greatest(term);
+                let fits = |end: Option<i64>| end.is_some_and(|end| fits(&integer(end)));
+                (fits(least) || (is_wide && is_signed)) && (fits(greatest) || is_wide)
+            }
         };
         if !is_exact || term.is_point {
             let message = match &term.constant {
                 Some(value) if value.is_integer() => format!("{value} is no value of `{kind}`"),
+                None if term.kind == Kind::Whole => {
+                    format!("this may be no value of `{kind}`, and is cut off then")
+                }
                 _ => "this conversion rounds".to_owned(),
             };
-            let help = "code is read as exact mathematics: leave it out";
+            let help = match term.kind {
+                Kind::Whole => {
+                    "declare the integers such that it is one, or fix them: `--where 'n == 3'`"
+                }
+                _ => "code is read as exact mathematics: leave it out",
+            };
             return Err(self.refused(place, message, help));
         }
         Ok(Value::Term(Term {

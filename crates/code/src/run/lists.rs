@@ -3,7 +3,7 @@
 use super::value::{FOREIGN, List, Shape, Term, Value};
 use super::{Frame, Runner};
 use crate::grammar::Read;
-use crate::program::{CodeLanguage, operation};
+use crate::program::{CodeLanguage, Kind, Type, operation};
 use torse_numbers::rational::integer;
 use torse_syntax::formula::{Expr, Node, Place};
 
@@ -163,7 +163,12 @@ impl Runner<'_> {
             }
             values.push(value);
         }
-        Ok(self.list(Shape::Vector, values))
+        // All numbers of an array have one type.
+        let array = self.list(Shape::Vector, values);
+        Ok(match array.number_kind() {
+            Kind::Unknown => array,
+            kind => array.typed(&Type::Each(Box::new(Type::Number(kind)))),
+        })
     }
 
     /// A matrix of SymPy: of a list of numbers, or of rows of one length.

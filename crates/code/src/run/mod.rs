@@ -6,6 +6,7 @@
 //! Lists are values here, and shared objects in Python, see [`objects`].
 
 mod arithmetic;
+mod bounds;
 mod demands;
 mod folds;
 mod formulas;
@@ -14,12 +15,18 @@ mod integers;
 mod lists;
 mod objects;
 pub(crate) mod setting;
+mod symbols;
 pub(crate) mod value;
 
 use crate::grammar::{Read, small};
-use crate::program::{Assignment, CodeLanguage, Function, Kind, Program, Step, operation, refused};
+use crate::program::{
+    Assignment, CodeLanguage, Function, Kind, Program, Step, Target, operation, refused,
+};
+use bounds::Index;
+use num_traits::Signed;
 use setting::Setting;
 use std::collections::{BTreeMap, BTreeSet};
+use symbols::{Symbols, free_names};
 use torse_numbers::rational::integer;
 use torse_numbers::{Rational, stack};
 use torse_syntax::derivation::DerivationError;
@@ -43,6 +50,17 @@ pub(crate) struct Computed {
     pub(crate) demands: Vec<Expr>,
     /// An assertion that is not read.
     pub(crate) unread_demand: Option<Place>,
+    /// What must hold for the functions of the program to be those of formulas.
+    pub(crate) obligations: Vec<Obligation>,
+    /// Symbols of the program that the claim does not declare, and that the formula binds.
+    pub(crate) dummies: Vec<String>,
+}
+
+/// A program has complex values where this does not hold, and a formula none.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Obligation {
+    pub(crate) condition: Expr,
+    pub(crate) place: Place,
 }
 
 /// The formula that a function computes.
@@ -51,13 +69,7 @@ pub(crate) fn formula(
     function: &Function,
     setting: Setting<'_>,
 ) -> Read<Computed> {
-    let mut runner = Runner::new(program, setting);
-    let formula = stack::deep(|| runner.result(function))?;
-    Ok(Computed {
-        formula,
-        demands: runner.demands,
-        unread_demand: runner.unread_demand,
-    })
+    counted(program, function, setting).0
 }
 
 /// The formula that a function computes, and the steps that it took.
@@ -65,30 +77,18 @@ pub(crate) fn counted(
     program: &Program,
     function: &Function,
     setting: Setting<'_>,
-) -> (Read<Expr>, usize) {
+) -> (Read<Computed>, usize) {
     let mut runner = Runner::new(program, setting);
     let value = stack::deep(|| runner.result(function));
-    (value, runner.steps)
-}
-
-/// The names of a formula that no sum, product or integral of it binds.
-fn free_names(expr: &Expr) -> Vec<String> {
-    let own: Vec<String> = expr.parts().into_iter().flat_map(free_names).collect();
-    match &expr.node {
-        Node::Name(name) => vec![name.clone()],
-        Node::Call(head, arguments) => {
-            let bound = match (&head.node, arguments.as_slice()) {
-                (Node::Name(name), [first, ..]) if name == "sum" || name == "product" => first,
-                (Node::Name(name), [_, second, ..]) if name == "integral" => second,
-                _ => return own,
-            };
-            let Node::Name(bound) = &bound.node else {
-                return own;
-            };
-            own.into_iter().filter(|name| name != bound).collect()
-        }
-        _ => own,
-    }
+    let steps = runner.steps;
+    let computed = value.map(|formula| Computed {
+        formula,
+        demands: runner.demands,
+        unread_demand: runner.unread_demand,
+        obligations: runner.obligations,
+        dummies: runner.symbols.into_dummies(),
+    });
+    (computed, steps)
 }
 
 /// The variables of a call.
@@ -131,10 +131,14 @@ struct Runner<'p> {
     /// The objects made so far, and those that were changed under a name: what other names have is out of date.
     objects: Object,
     changed: BTreeSet<Object>,
-    /// The indices of sums around.
-    bound: Vec<String>,
+    /// The indices of sums around, with their ends.
+    bound: Vec<Index>,
+    symbols: Symbols,
     demands: Vec<Expr>,
     unread_demand: Option<Place>,
+    obligations: Vec<Obligation>,
+    /// Where the file is that is being carried out: what it binds from there on has no meaning yet.
+    until: Option<usize>,
 }
 
 impl<'p> Runner<'p> {
@@ -147,8 +151,11 @@ impl<'p> Runner<'p> {
             objects: FOREIGN,
             changed: BTreeSet::new(),
             bound: vec![],
+            symbols: Symbols::default(),
             demands: vec![],
             unread_demand: None,
+            obligations: vec![],
+            until: None,
         }
     }
 }
@@ -157,6 +164,9 @@ impl Runner<'_> {
     /// The formula that the function computes which is compared.
     fn result(&mut self, function: &Function) -> Read<Expr> {
         let arguments = self.setting.arguments(self.program, function)?;
+        for value in arguments.iter().flatten() {
+            self.symbols.pass(value);
+        }
         let value = self.call(function, arguments, function.place)?;
         let kind = value.kind();
         let term = value.formula().ok_or_else(|| {
@@ -169,6 +179,7 @@ impl Runner<'_> {
             .into_iter()
             .find(|name| !self.setting.is_declared(name));
         if let Some(name) = undeclared {
+            let name = self.symbols.written(&name);
             let message = format!(
                 "the value of `{}` contains `{name}`, which the claim does not declare",
                 function.name
@@ -189,7 +200,20 @@ impl Runner<'_> {
     }
 
     fn spend(&mut self, place: Place) -> Read<()> {
-        self.steps += 1;
+        self.spend_all(1, place)
+    }
+
+    /// Counts what a copy of a value costs.
+    fn spend_copy(&mut self, value: &Value, place: Place) -> Read<()> {
+        let most = (MAX_CODE_STEPS + 1).saturating_sub(self.steps);
+        match value {
+            Value::List(_) => self.spend_all(value.entries(most), place),
+            _ => Ok(()),
+        }
+    }
+
+    fn spend_all(&mut self, steps: usize, place: Place) -> Read<()> {
+        self.steps = self.steps.saturating_add(steps);
         if self.steps <= MAX_CODE_STEPS {
             return Ok(());
         }
@@ -200,6 +224,9 @@ impl Runner<'_> {
 
     /// A new term, unless it is larger than formulas may be.
     fn bounded(&mut self, mut term: Term, place: Place) -> Read<Value> {
+        if term.height > MAX_LEVELS && term.size <= MAX_CODE_NODES {
+            term = term.balanced();
+        }
         if term.size <= MAX_CODE_NODES && term.height <= MAX_LEVELS {
             if term.is_point {
                 term.object = self.object();
@@ -234,6 +261,7 @@ impl Runner<'_> {
             let message = format!("`{}` has {count} parameters", function.name);
             return Err(self.refused(place, message, "leave the others out"));
         }
+        self.is_bound_before(&function.name, function.place.start, place)?;
         let body = function.body.as_ref().map_err(Clone::clone)?;
         let mut frame = Frame {
             locals: function.locals.clone(),
@@ -244,7 +272,7 @@ impl Runner<'_> {
             let value = match (arguments.next().flatten(), &parameter.default) {
                 (Some(value), _) => value.typed(&parameter.declared),
                 // The same object in each call.
-                (None, Some(default)) => self.value(default, &mut Frame::default())?.foreign(),
+                (None, Some(default)) => self.outside(default, function.place.start)?.foreign(),
                 (None, None) => {
                     let message = format!("the argument `{}` is missing", parameter.name);
                     return Err(self.refused(place, message, "give it by its place"));
@@ -266,10 +294,45 @@ impl Runner<'_> {
         })
     }
 
+    /// The value of what is evaluated outside of functions, at a position of the file.
+    fn outside(&mut self, value: &Expr, position: usize) -> Read<Value> {
+        let until = match self.program.language {
+            CodeLanguage::Python => Some(position),
+            CodeLanguage::Rust => None,
+        };
+        let until = std::mem::replace(&mut self.until, until);
+        let value = self.value(value, &mut Frame::default());
+        self.until = until;
+        value
+    }
+
+    /// Fails for what the file binds only after what is being carried out.
+    fn is_bound_before(&self, name: &str, position: usize, place: Place) -> Read<()> {
+        match self.until {
+            Some(until) if position >= until => {
+                let message = format!("`{name}` gets its meaning only after this is computed");
+                Err(self.refused(place, message, "define it before"))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Runs steps until one gives the value of the function.
     fn run(&mut self, steps: &[Step], frame: &mut Frame) -> Read<Option<Value>> {
         for step in steps {
             match step {
+                Step::Assign {
+                    target: Target::Name(name, place),
+                    value,
+                    how: Assignment::InPlace,
+                } if appended(value, name).is_some_and(|_| frame.variables.contains_key(name)) => {
+                    let Some(item) = appended(value, name) else {
+                        continue;
+                    };
+                    self.spend(value.place)?;
+                    let item = self.value(item, frame)?;
+                    self.append(name, item, *place, frame)?;
+                }
                 Step::Assign { target, value, how } => {
                     let computed = self.value(value, frame)?;
                     self.assign(target, computed, *how, frame)?;
@@ -440,10 +503,16 @@ impl Runner<'_> {
             if !self.changed.is_empty() && self.is_current(value, place).is_err() {
                 return Err(self.stale(name, place));
             }
-            return Ok(value.clone());
+            let value = value.clone();
+            self.spend_copy(&value, place)?;
+            return Ok(value);
         }
         match name {
             operation::PI => return Ok(Value::Term(Term::formula(Expr::name("pi"), Kind::Float))),
+            operation::E => {
+                let one = Term::number(integer(1), false);
+                return Ok(Value::Term(Term::call("exp", vec![one])));
+            }
             operation::TRUE => return Ok(Value::Truth(true)),
             operation::FALSE => return Ok(Value::Truth(false)),
             _ => {}
@@ -464,7 +533,9 @@ impl Runner<'_> {
             let message = format!("the constant `{name}` depends on itself");
             return Err(self.refused(place, message, "give it a value"));
         }
-        let value = self.value(&constant.value, &mut Frame::default());
+        self.is_bound_before(name, constant.position, place)?;
+        let value = constant.value.as_ref().map_err(Clone::clone)?;
+        let value = self.outside(value, constant.position);
         self.calls -= 1;
         let value = value?.foreign();
         if value.is_list() && !constant.is_only_read {
@@ -489,17 +560,36 @@ impl Runner<'_> {
                 let message = format!("{} is compared with {}", left.kind(), right.kind());
                 return Err(self.refused(place, message, "numbers are compared"));
             };
+            let is_rounded = a.is_rounded || b.is_rounded;
             let (Some(a), Some(b)) = (&a.constant, &b.constant) else {
                 let message = "this condition depends on the value of a symbol";
                 let help = "conditions on constants are read; fix integers with `--where 'k == 2'`, or compare each branch on its own";
                 return Err(self.refused(place, message, help));
             };
+            if is_rounded && is_near(a, b) {
+                let message =
+                    "these numbers are equal, or nearly so, up to what rounding makes of them";
+                let help = "compare integers, or numbers that are far from each other";
+                return Err(self.refused(place, message, help));
+            }
             if !holds(*relation, a, b) {
                 return Ok(false);
             }
             left = right;
         }
         Ok(true)
+    }
+}
+
+/// What `append(list, value)` puts at the end of the list of a name.
+fn appended<'e>(value: &'e Expr, name: &str) -> Option<&'e Expr> {
+    let Node::Call(head, arguments) = &value.node else {
+        return None;
+    };
+    let is = |expr: &Expr, own: &str| matches!(&expr.node, Node::Name(name) if name == own);
+    match arguments.as_slice() {
+        [list, item] if is(head, operation::APPEND) && is(list, name) => Some(item),
+        _ => None,
     }
 }
 
@@ -513,6 +603,12 @@ fn holds(relation: Relation, a: &Rational, b: &Rational) -> bool {
         Relation::Greater => a > b,
         Relation::AtLeast => a >= b,
     }
+}
+
+/// Whether rounding may decide how two numbers are related: they differ by less than a part in a thousand million.
+fn is_near(a: &Rational, b: &Rational) -> bool {
+    let size = a.abs() + b.abs();
+    (a - b).abs() * integer(1_000_000_000) <= size
 }
 
 /// The position of an index among so many entries.

@@ -15,6 +15,9 @@ use torse_syntax::formula::{Expr, Place};
 /// The indices of one pair of brackets, with their place.
 type Brackets = (Vec<i64>, Place);
 
+/// How many entries that are looked at cost as much as a step.
+const LOOKED_THROUGH: usize = 64;
+
 /// How an entry is replaced.
 struct Change {
     value: Value,
@@ -170,13 +173,7 @@ impl Runner<'_> {
             }
             Target::Entry(name, indices, place) => {
                 let path = self.places(indices, frame)?;
-                let Some(mut list) = frame.variables.get(name).cloned() else {
-                    let message = format!("`{name}` has no value here");
-                    return Err(self.refused(*place, message, "make the list before"));
-                };
-                if self.is_current(&list, *place).is_err() {
-                    return Err(self.stale(name, *place));
-                }
+                let mut list = self.taken(name, *place, frame)?;
                 let value = self.settled(value, *place)?;
                 let change = Change {
                     value,
@@ -187,6 +184,44 @@ impl Runner<'_> {
                 self.replace(&mut list, &path, change)?;
                 frame.variables.insert(name.clone(), list);
                 Ok(())
+            }
+        }
+    }
+
+    /// A list taken out of its variable, to be changed and put back: it is not copied.
+    fn taken(&mut self, name: &str, place: Place, frame: &mut Frame) -> Read<Value> {
+        let Some(list) = frame.variables.remove(name) else {
+            let message = format!("`{name}` has no value here");
+            return Err(self.refused(place, message, "make the list before"));
+        };
+        self.spend_all(list.entries(super::MAX_CODE_STEPS) / LOOKED_THROUGH, place)?;
+        match self.is_current(&list, place) {
+            Ok(()) => Ok(list),
+            Err(_) => Err(self.stale(name, place)),
+        }
+    }
+
+    /// `name.append(value)`.
+    pub(super) fn append(
+        &mut self,
+        name: &str,
+        value: Value,
+        place: Place,
+        frame: &mut Frame,
+    ) -> Read<()> {
+        let value = self.settled(value, place)?;
+        let is_rust = self.program.language == CodeLanguage::Rust;
+        match self.taken(name, place, frame)? {
+            Value::List(mut list) if list.shape == Shape::List || is_rust => {
+                self.change(list.object, frame.first, place)?;
+                list.values.push(value);
+                let grown = self.list(Shape::List, list.values);
+                frame.variables.insert(name.to_owned(), grown);
+                Ok(())
+            }
+            other => {
+                let message = format!("nothing is put at the end of {}", other.kind());
+                Err(self.refused(place, message, "make a list: `q = []`"))
             }
         }
     }

@@ -55,9 +55,28 @@ impl Setting<'_> {
             }
         }
         let parameters = function.parameters.iter();
-        parameters
+        let values = parameters
             .map(|parameter| self.argument(program, parameter))
-            .collect()
+            .collect::<Read<Vec<_>>>()?;
+        let mut before: Vec<(&str, &Parameter)> = vec![];
+        for parameter in &function.parameters {
+            let Ok(symbol) = self.alike(&parameter.name) else {
+                continue;
+            };
+            if let Some((_, other)) = before.iter().find(|(own, _)| *own == symbol) {
+                let message = format!(
+                    "`{}` and `{}` would both stand for `{symbol}`",
+                    other.name, parameter.name
+                );
+                let help = format!(
+                    "say what each of them stands for: `--map '{}=FORMULA'`",
+                    parameter.name
+                );
+                return Err(refused(&program.source, parameter.place, message, help));
+            }
+            before.push((symbol, parameter));
+        }
+        Ok(values)
     }
 
     /// The value of one parameter; none where its default is taken.
@@ -81,14 +100,28 @@ impl Setting<'_> {
         if let Some(formula) = self.given.get(name) {
             return Ok(self.formula(formula));
         }
+        self.alike(name).map(|name| self.named(name))
+    }
+
+    /// What a symbol of a program stands for that has exactly this name in the claim.
+    pub(crate) fn own_symbol(&self, name: &str) -> Option<Value> {
+        let given = self.given.get(name).map(|formula| self.formula(formula));
+        given.or_else(|| self.is_symbol(name).then(|| self.named(name)))
+    }
+
+    /// The symbol of the claim that a name is, or that is spelled alike; not for names of which the user says what they are.
+    fn alike<'n>(&'n self, name: &'n str) -> Result<&'n str, String> {
+        if self.given.contains_key(name) {
+            return Err(format!("`{name}` stands for a formula"));
+        }
         if self.is_symbol(name) {
-            return Ok(self.named(name));
+            return Ok(name);
         }
         let spelled = spelling(name);
         let own = self.declarations.symbols().map(|(name, _)| name);
         let mut alike = own.filter(|symbol| spelling(symbol) == spelled);
         match (alike.next(), alike.next()) {
-            (Some(only), None) => Ok(self.named(only)),
+            (Some(only), None) => Ok(only),
             (Some(first), Some(second)) => Err(format!(
                 "`{name}` may stand for `{first}` or for `{second}`"
             )),

@@ -64,6 +64,8 @@ pub(crate) struct Term {
     pub(crate) object: Object,
     /// Its value, if it is a number that is written down.
     pub(crate) constant: Option<Rational>,
+    /// Whether floating-point numbers that were computed may be near it, and not be it.
+    pub(crate) is_rounded: bool,
 }
 
 /// A family of points or numbers.
@@ -92,6 +94,7 @@ impl Term {
             is_point: false,
             object: FOREIGN,
             constant: Some(value),
+            is_rounded: false,
         }
     }
 
@@ -105,6 +108,7 @@ impl Term {
             is_point: false,
             object: FOREIGN,
             constant: None,
+            is_rounded: false,
         }
     }
 
@@ -122,6 +126,7 @@ impl Term {
             is_point: false,
             object: FOREIGN,
             constant: None,
+            is_rounded: false,
         }
     }
 
@@ -134,7 +139,50 @@ impl Term {
             is_point: self.is_point || other.is_point,
             object: FOREIGN,
             constant: None,
+            is_rounded: false,
             expr: self.expr.with(operator, other.expr),
+        }
+    }
+
+    /// The same sum of as few levels as it may have: a loop that adds a term in each turn makes a level of each.
+    pub(crate) fn balanced(self) -> Self {
+        let mut summands = vec![];
+        let mut pending = vec![(self.expr.clone(), false)];
+        while let Some((expr, is_negative)) = pending.pop() {
+            match expr.node {
+                Node::Binary(operator @ (Operator::Add | Operator::Subtract), left, right) => {
+                    let is_subtracted = operator == Operator::Subtract;
+                    pending.push((Arc::unwrap_or_clone(right), is_negative != is_subtracted));
+                    pending.push((Arc::unwrap_or_clone(left), is_negative));
+                }
+                node => {
+                    let expr = Expr::made(node);
+                    summands.push(match is_negative {
+                        true => Expr::made(Node::Negative(Arc::new(expr))),
+                        false => expr,
+                    });
+                }
+            }
+        }
+        while summands.len() > 1 {
+            let mut halves = vec![];
+            let mut rest = summands.into_iter();
+            while let Some(left) = rest.next() {
+                halves.push(match rest.next() {
+                    Some(right) => left.with(Operator::Add, right),
+                    None => left,
+                });
+            }
+            summands = halves;
+        }
+        match summands.pop() {
+            Some(expr) => Self {
+                size: expr.size(),
+                height: height(&expr),
+                expr,
+                ..self
+            },
+            None => self,
         }
     }
 
@@ -142,6 +190,7 @@ impl Term {
         if let Some(value) = self.constant {
             return Self {
                 kind: self.kind,
+                is_rounded: self.is_rounded,
                 ..Self::number(-value, false)
             };
         }
@@ -152,6 +201,7 @@ impl Term {
             is_point: self.is_point,
             object: FOREIGN,
             constant: None,
+            is_rounded: false,
             expr: Expr::made(Node::Negative(Arc::new(self.expr))),
         }
     }
@@ -197,9 +247,37 @@ impl Value {
                     is_point: true,
                     object: FOREIGN,
                     constant: None,
+                    is_rounded: false,
                 })
             }
             Self::Truth(_) | Self::Family(_) => None,
+        }
+    }
+
+    /// How many entries it has, with those of its entries; at most so many are counted.
+    pub(crate) fn entries(&self, most: usize) -> usize {
+        let mut count = 1_usize;
+        if let Self::List(list) = self {
+            for value in &list.values {
+                if count >= most {
+                    break;
+                }
+                count = count.saturating_add(value.entries(most - count));
+            }
+        }
+        count
+    }
+
+    /// The type that all its numbers have.
+    pub(crate) fn number_kind(&self) -> Kind {
+        match self {
+            Self::Term(term) => term.kind,
+            Self::List(list) => {
+                let kinds = list.values.iter().map(Self::number_kind);
+                kinds.reduce(Kind::joined).unwrap_or(Kind::Unknown)
+            }
+            Self::Family(family) => family.kind,
+            Self::Truth(_) => Kind::Unknown,
         }
     }
 

@@ -1,6 +1,6 @@
 //! Expressions of Rust.
 
-use super::names::{constant, elementary};
+use super::names::{Names, elementary};
 use super::types::Aliases;
 use crate::grammar::{CodeNode, Read, Text, at, binary, children, place};
 use crate::program::{call, operation};
@@ -14,8 +14,7 @@ use torse_syntax::formula::{Connective, Expr, Node, Operator, Relation};
 #[derive(Clone, Copy)]
 pub(super) struct Reader<'s> {
     pub(super) text: Text<'s>,
-    /// The constants of the standard library that the file imports.
-    pub(super) imported: &'s BTreeSet<String>,
+    pub(super) names: &'s Names,
     /// The functions of the file.
     pub(super) functions: &'s BTreeSet<String>,
     /// The types that the file names.
@@ -26,11 +25,24 @@ pub(super) struct Reader<'s> {
 const READ: &str = "numbers, names, `+ - * /`, `powi`, the elementary functions of `f64`, calls of functions of this file, arrays, \
                     tuples, indices, comparisons, `if` and sums over ranges are read";
 
+/// Methods of what goes through a list: other things may have others of these names.
+const OF_ITERATORS: [&str; 9] = [
+    "sum",
+    "product",
+    "map",
+    "enumerate",
+    "rev",
+    "zip",
+    "copied",
+    "cloned",
+    "collect",
+];
+
 impl Reader<'_> {
     /// Reads an expression.
     pub(super) fn expression(self, node: CodeNode<'_>) -> Read<Expr> {
         match node.kind() {
-            "identifier" => Ok(self.name(node)),
+            "identifier" => self.name(node),
             "integer_literal" | "float_literal" => self.literal(node),
             "boolean_literal" => {
                 let is_true = self.text.text(node) == "true";
@@ -123,17 +135,21 @@ impl Reader<'_> {
         }
     }
 
-    fn name(self, node: CodeNode<'_>) -> Expr {
-        let name = self.text.text(node);
-        let imported = self
-            .imported
-            .contains(name)
-            .then(|| constant(name))
-            .flatten();
+    fn name(self, node: CodeNode<'_>) -> Read<Expr> {
+        let name = self.text.name(node)?;
+        self.sure(node, name)?;
         let plain = || at(node, Node::Name(name.to_owned()));
-        imported.map_or_else(plain, |value| Expr {
+        Ok(self.names.constant(name).map_or_else(plain, |value| Expr {
             place: place(node),
             ..value
+        }))
+    }
+
+    /// Fails for a name that several things of the file may be. No variable hides a constant in Rust.
+    fn sure(self, node: CodeNode<'_>, name: &str) -> Read<()> {
+        self.names.check(name).map_err(|message| {
+            let help = "give each thing of the file a name of its own";
+            self.text.refused(node, message, help)
         })
     }
 
@@ -262,7 +278,10 @@ impl Reader<'_> {
             self.text.refused(node, message, "write `0..n`")
         })?;
         let one = Expr::number(&integer(1));
-        let is_closed = self.text.text(node).contains("..=");
+        let mut cursor = node.walk();
+        let is_closed = node
+            .children(&mut cursor)
+            .any(|token| token.kind() == "..=");
         let high = if is_closed {
             high.with(Operator::Add, one.clone())
         } else {
@@ -281,9 +300,7 @@ impl Reader<'_> {
 
     fn scoped(self, node: CodeNode<'_>) -> Read<Expr> {
         let text = self.text.text(node);
-        let (path, name) = text.rsplit_once("::").unwrap_or(("", text));
-        let is_constant = path.rsplit("::").next() == Some("consts");
-        let found = is_constant.then(|| constant(name)).flatten();
+        let found = self.names.constant(text);
         let value = found.ok_or_else(|| {
             let help = "the constants of `std::f64::consts` are read";
             self.text
@@ -303,7 +320,8 @@ impl Reader<'_> {
         let list = children(self.text.field(node, "arguments")?);
         match function.kind() {
             "identifier" => {
-                let name = self.text.text(function);
+                let name = self.text.name(function)?;
+                self.sure(function, name)?;
                 if !self.functions.contains(name) {
                     let message = format!("the function `{name}` is not read");
                     return Err(self.text.refused(function, message, READ));
@@ -314,11 +332,21 @@ impl Reader<'_> {
             "field_expression" => {
                 let object = self.text.field(function, "value")?;
                 let member = self.text.field(function, "field")?;
+                let name = self.text.text(member);
+                if OF_ITERATORS.contains(&name) && !self.is_iterator(object) {
+                    let message = format!("`{name}` is a method of what goes through a list");
+                    let help = format!("write `.iter().{name}(...)`");
+                    return Err(self.text.refused(member, message, help));
+                }
                 self.method(node, self.expression(object)?, member, &list)
             }
             "scoped_identifier" => {
                 let path = self.text.text(self.text.field(function, "path")?);
                 let member = self.text.field(function, "name")?;
+                if !self.names.is_standard(path) {
+                    let message = format!("`{path}` has another meaning in this file");
+                    return Err(self.text.refused(function, message, READ));
+                }
                 match (path, self.text.text(member), list.as_slice()) {
                     ("Vec", "new", []) | ("Vec", "with_capacity", [_]) => {
                         Ok(at(node, Node::List(vec![])))
@@ -340,6 +368,24 @@ impl Reader<'_> {
         }
     }
 
+    /// Whether something goes through a list, by the way it is written.
+    fn is_iterator(self, node: CodeNode<'_>) -> bool {
+        match node.kind() {
+            "range_expression" => true,
+            "parenthesized_expression" => children(node)
+                .first()
+                .is_some_and(|inner| self.is_iterator(*inner)),
+            "call_expression" => {
+                let function = node.child_by_field_name("function");
+                let name = function.and_then(|function| function.child_by_field_name("field"));
+                let name = name.map_or("", |name| self.text.text(name));
+                let makes = matches!(name, "iter" | "into_iter");
+                makes || (OF_ITERATORS.contains(&name) && name != "collect")
+            }
+            _ => false,
+        }
+    }
+
     /// A method of a value.
     fn method(
         self,
@@ -349,6 +395,11 @@ impl Reader<'_> {
         list: &[CodeNode<'_>],
     ) -> Read<Expr> {
         let name = self.text.text(member);
+        if !self.names.is_method(name) {
+            let message = format!("a trait of this file has a method `{name}`");
+            let help = "give that method a name of its own";
+            return Err(self.text.refused(member, message, help));
+        }
         if let [closure] = list
             && closure.kind() == "closure_expression"
         {
@@ -364,8 +415,16 @@ impl Reader<'_> {
             return Ok(self.call(node, function, vec![value]));
         }
         let operation = match (name, arguments.as_slice()) {
-            ("powi" | "powf" | "pow", [exponent]) => {
+            ("powi" | "powf", [exponent]) => {
                 return Ok(binary(node, Operator::Power, value, exponent.clone()));
+            }
+            // Numbers with a point have none of this name.
+            ("pow", [exponent]) => {
+                let whole = Expr {
+                    place: value.place,
+                    ..self.call(node, operation::INTEGER, vec![value])
+                };
+                return Ok(binary(node, Operator::Power, whole, exponent.clone()));
             }
             ("min" | "max", [other]) => {
                 return Ok(self.call(node, name, vec![value, other.clone()]));
@@ -402,7 +461,7 @@ impl Reader<'_> {
 
     /// `values.map(|variable| body)`.
     fn mapped(self, node: CodeNode<'_>, values: Expr, closure: CodeNode<'_>) -> Read<Expr> {
-        let parameters = children(self.text.field(closure, "parameters")?);
+        let parameters = parts_of(self.text.field(closure, "parameters")?);
         let [variable] = parameters.as_slice() else {
             return Err(self.unread(closure));
         };
@@ -414,17 +473,15 @@ impl Reader<'_> {
     /// A pattern of names, as a list where it is a tuple.
     pub(super) fn pattern(self, node: CodeNode<'_>) -> Read<Expr> {
         match node.kind() {
-            "identifier" => Ok(at(node, Node::Name(self.text.text(node).to_owned()))),
+            "identifier" => Ok(at(node, Node::Name(self.text.name(node)?.to_owned()))),
             "_" => Ok(at(node, Node::Name("_".to_owned()))),
             "reference_pattern" | "mut_pattern" | "parameter" => {
-                let parts = children(node);
-                let inner = parts
-                    .into_iter()
-                    .find(|part| part.kind() != "mutable_specifier");
+                let mut parts = parts_of(node).into_iter();
+                let inner = parts.find(|part| !matches!(part.kind(), "mutable_specifier" | "&"));
                 self.pattern(inner.ok_or_else(|| self.unread(node))?)
             }
             "tuple_pattern" | "slice_pattern" => {
-                let all = children(node).into_iter().map(|one| self.pattern(one));
+                let all = parts_of(node).into_iter().map(|one| self.pattern(one));
                 Ok(at(node, Node::List(all.collect::<Read<_>>()?)))
             }
             _ => Err(self.text.refused(
@@ -434,4 +491,13 @@ impl Reader<'_> {
             )),
         }
     }
+}
+
+/// The parts of a pattern: `_` is a sign of the grammar, and no name.
+fn parts_of(node: CodeNode<'_>) -> Vec<CodeNode<'_>> {
+    let mut cursor = node.walk();
+    let all = node.children(&mut cursor);
+    let is_part = |part: &CodeNode<'_>| part.kind() == "_" || part.is_named();
+    all.filter(|part| is_part(part) && !part.kind().ends_with("comment"))
+        .collect()
 }

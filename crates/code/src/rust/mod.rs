@@ -8,7 +8,7 @@ mod types;
 use crate::grammar::{CodeNode, Read, Text, children, place, tree};
 use crate::program::{CodeLanguage, Constant, Function, Parameter, Program, Type};
 use expression::Reader;
-use names::imported_constants;
+use names::{Names, without_constants};
 use statement::Ending;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -39,25 +39,17 @@ pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
     let tree = tree(source, CodeLanguage::Rust)?;
     let text = Text { source };
     let items = children(tree.root_node());
-    let mut imported = BTreeSet::new();
+    let names = Names::new(text, tree.root_node());
     let mut functions = BTreeSet::new();
-    let mut named = vec![];
     for item in &items {
-        match item.kind() {
-            "use_declaration" => imported.extend(imported_constants(text.text(*item))),
-            "function_item" => {
-                functions.insert(text.text(text.field(*item, "name")?).to_owned());
-            }
-            _ => {}
-        }
-        if let Some(name) = item.child_by_field_name("name") {
-            named.push(text.text(name));
+        if item.kind() == "function_item" {
+            functions.insert(text.text(text.field(*item, "name")?).to_owned());
         }
     }
-    let aliases = Aliases::new(text, &items);
+    let aliases = Aliases::new(text, &items, &names);
     let reader = Reader {
         text,
-        imported: &imported,
+        names: &names,
         functions: &functions,
         aliases: &aliases,
     };
@@ -71,14 +63,12 @@ pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
     let mut of_file = Ok(());
     let mut before: Read<()> = Ok(());
     for item in items {
-        let is_twice = |name: &str| named.iter().filter(|own| **own == name).count() > 1;
         match item.kind() {
             "inner_attribute_item" => of_file = of_file.and(attribute(text, item)),
             "attribute_item" => before = before.and(attribute(text, item)),
             "function_item" => {
                 let mut function = function(reader, item)?;
-                if is_twice(&function.name) {
-                    let message = format!("there are several things called `{}`", function.name);
+                if let Err(message) = names.check(&function.name) {
                     let help = "leave the other ones out, whatever their attributes say";
                     let name = text.field(item, "name")?;
                     function.body = Err(text.refused(name, message, help));
@@ -88,18 +78,17 @@ pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
                 before = Ok(());
                 program.functions.push(function);
             }
-            "const_item" if text.check(item).is_ok() => {
+            "const_item" => {
                 let name = text.text(text.field(item, "name")?);
-                // What is not read here is missing where it is used.
-                let value = text.field(item, "value").and_then(|v| reader.expression(v));
+                let value = text.check(item).and_then(|()| text.field(item, "value"));
+                let value = value.and_then(|value| reader.expression(value));
                 let attributes = of_file.clone().and(before).and(attributes(text, item));
-                if let (Ok(value), Ok(()), false) = (value, attributes, is_twice(name)) {
-                    program.constants.push(Constant {
-                        name: name.to_owned(),
-                        value,
-                        is_only_read: true,
-                    });
-                }
+                program.constants.push(Constant {
+                    name: name.to_owned(),
+                    position: 0,
+                    value: attributes.and(value),
+                    is_only_read: true,
+                });
                 before = Ok(());
             }
             _ => before = Ok(()),
@@ -138,6 +127,7 @@ fn function(reader: Reader<'_>, node: CodeNode<'_>) -> Read<Function> {
     let name = text.field(node, "name")?;
     let mut parameters = vec![];
     let mut body = text.check(node).and_then(|()| attributes(text, node));
+    body = body.and(without_constants(text, node));
     let own = reader.aliases.within(text, node);
     let reader = Reader {
         aliases: &own,
@@ -185,7 +175,7 @@ fn read_parameter(reader: Reader<'_>, node: CodeNode<'_>) -> Read<Parameter> {
         text.refused(kind, message, help)
     })?;
     Ok(Parameter {
-        name: text.text(name).to_owned(),
+        name: text.name(name)?.to_owned(),
         place: place(name),
         default: None,
         declared,

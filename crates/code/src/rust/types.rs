@@ -1,5 +1,6 @@
 //! Types of Rust: which numbers are integers, whose division rounds.
 
+use super::names::Names;
 use crate::grammar::{CodeNode, Text, children};
 use crate::program::{Kind, Type};
 use std::collections::BTreeMap;
@@ -24,8 +25,11 @@ struct Named {
 
 impl Aliases {
     /// The types that items of a file name.
-    pub(super) fn new(text: Text<'_>, items: &[CodeNode<'_>]) -> Self {
+    pub(super) fn new(text: Text<'_>, items: &[CodeNode<'_>], names: &Names) -> Self {
         let mut found = Self::default();
+        // Whatever has a name of the file is none of the language, until it is read as another name of one.
+        let own = names.all().filter(|name| !names.is_standard(name));
+        found.named = own.map(|name| (name.to_owned(), None)).collect();
         let mut targets = vec![];
         for item in items {
             let is_type = matches!(
@@ -36,8 +40,7 @@ impl Aliases {
                 continue;
             };
             let name = text.text(name).to_owned();
-            let is_twice = found.named.insert(name.clone(), None).is_some();
-            targets.retain(|(own, _)| *own != name);
+            let is_twice = names.check(&name).is_err();
             let target = item.child_by_field_name("type");
             let is_plain = item.child_by_field_name("type_parameters").is_none();
             let is_alias = item.kind() == "type_item" && is_plain && !is_twice;

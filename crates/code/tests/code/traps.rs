@@ -156,8 +156,7 @@ fn names_and_lists_of_python_are_those_of_python() {
             (called, "x", None),
             (inner, "7*x", Some(Equal)),
             (inner, "2*x", Some(Different)),
-            (late, "2*x", Some(Equal)),
-            (late, "x", Some(Different)),
+            (late, "2*x", None),
             (constant, "2*x", None),
             (
                 "def f(x):\n    for i in range(4):\n        pass\n    return i*x\n",
@@ -177,7 +176,7 @@ fn names_and_lists_of_python_are_those_of_python() {
             (
                 "from math import sin\ndef sin(x):\n    return x\ndef f(x):\n    return sin(x)\n",
                 "x",
-                Some(Equal),
+                None,
             ),
             (
                 "def f(x, y):\n    sum = x\n    sum += y\n    return sum\n",
@@ -292,7 +291,7 @@ fn a_function_has_no_value_where_its_assertion_does_not_hold() {
     }
     for (assertion, wanted) in [
         ("assert!(x > 0.0)", Some(Equal)),
-        ("debug_assert!(x >= 0.0, \"{}\", x)", Some(Equal)),
+        ("debug_assert!(x >= 0.0, \"{}\", x)", Some(Undecided)),
         ("assert!(x.abs() > 0.0 && x > 0.0)", Some(Equal)),
         ("assert_eq!(x, 3.0)", Some(Equal)),
         ("assert_ne!(x, 3.0)", Some(Different)),
