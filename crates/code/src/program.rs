@@ -88,8 +88,8 @@ pub(crate) mod operation {
     pub(crate) const SLICE: &str = "#slice";
     /// A list, last value first.
     pub(crate) const REVERSED: &str = "#reversed";
-    /// A new symbol of SymPy of a name.
-    pub(crate) const SYMBOL: &str = "#symbol";
+    /// With a name behind it: a symbol of SymPy.
+    pub(crate) const SYMBOL: &str = "#symbol:";
     /// True and false.
     pub(crate) const TRUE: &str = "#true";
     /// A number as an integer; with `:` and the name of a type behind it, as one of that type.

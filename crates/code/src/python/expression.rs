@@ -595,9 +595,10 @@ impl Reader<'_> {
             let message = "these names of symbols are not read";
             return Err(self.refused(content, message, "write `symbols('t u')`"));
         }
+        // The name is one of the operation: no part of a formula that a change of the code could replace.
         let symbol = |name: &str| {
-            let name = at(content, Node::Name(name.to_owned()));
-            self.call(node, operation::SYMBOL, vec![name])
+            let operation = format!("{}{name}", operation::SYMBOL);
+            self.call(node, &operation, vec![])
         };
         let all: Vec<Expr> = names.into_iter().map(symbol).collect();
         match all.as_slice() {

@@ -50,7 +50,6 @@ impl Runner<'_> {
                 };
                 self.value(taken, frame)
             }
-            (operation::SYMBOL, [name]) => self.symbol(name, place),
             (operation::APPEND, [list, value]) => {
                 let list = self.value(list, frame)?;
                 let value = self.value(value, frame)?;
@@ -163,6 +162,9 @@ impl Runner<'_> {
                     rows.push(self.list(Shape::List, row));
                 }
                 Ok(self.iterator(rows, &values))
+            }
+            (own, []) if own.starts_with(operation::SYMBOL) => {
+                self.symbol(own.trim_start_matches(operation::SYMBOL), place)
             }
             (operation::INTEGER, [Value::Term(term)]) if term.kind == Kind::Whole => {
                 Ok(Value::Term(term.clone()))

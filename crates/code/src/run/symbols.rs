@@ -55,10 +55,7 @@ impl Symbols {
 
 impl Runner<'_> {
     /// A new symbol of SymPy.
-    pub(super) fn symbol(&mut self, name: &Expr, place: Place) -> Read<Value> {
-        let Node::Name(name) = &name.node else {
-            return Err(self.refused(place, "a symbol has a name", "write `symbols('t')`"));
-        };
+    pub(super) fn symbol(&mut self, name: &str, place: Place) -> Read<Value> {
         if let Some(value) = self.setting.own_symbol(name) {
             let mut own = Symbols::default();
             own.pass(&value);
@@ -73,19 +70,15 @@ impl Runner<'_> {
         }
         if !self.symbols.made.contains_key(name) {
             let made = self.fresh(name);
-            self.symbols.made.insert(name.clone(), made);
+            self.symbols.made.insert(name.to_owned(), made);
         }
-        let made = self
-            .symbols
-            .made
-            .get(name)
-            .map_or(name.as_str(), String::as_str);
+        let made = self.symbols.made.get(name).map_or(name, String::as_str);
         Ok(Value::Term(Term::formula(Expr::name(made), Kind::Float)))
     }
 
     /// A name like this that nothing else has.
     fn fresh(&self, name: &str) -> String {
-        let letters: String = name.chars().filter(|c| *c != '_').collect();
+        let letters: String = name.chars().filter(|c| c.is_alphanumeric()).collect();
         let base = if is_name(&letters) {
             letters
         } else {

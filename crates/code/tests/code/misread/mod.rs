@@ -64,10 +64,10 @@ fn are(file: &str, rows: &[(&str, &str, Option<CodeVerdict>)]) {
 #[test]
 fn what_is_wrong_with_the_formula_of_code_is_shown_in_the_code() {
     // The last index is that of no member.
-    let text = "def f(W, n):\n    return sum(W[i + 1] for i in range(n + 1))\n";
-    let error = compared("f.py", text, "x").unwrap_err();
+    let text = "fn f(W: &[f64], n: i32) -> f64 {\n    (1..=n).map(|i| W[-i]).sum()\n}\n";
+    let error = compared("f.rs", text, "x").unwrap_err();
     let said = line(&error, text);
-    assert!(said.starts_with("1:5 `f`"), "{said}");
+    assert!(said.starts_with("1:4 `f`"), "{said}");
     assert!(!said.contains('°'), "{said}");
 }
 
