@@ -106,7 +106,7 @@ fn shown(
     CodeEdit {
         line: number,
         column,
-        length: written.lines().next().unwrap_or("").chars().count(),
+        length: written.chars().count(),
         written: written.to_owned(),
         replacement: change.text,
         line_now: now.to_owned(),

@@ -18,8 +18,16 @@ pub(super) fn rewritten(program: &Program, part: Part<'_>, new: &Expr) -> Option
         text: &program.source.text,
         language: program.language,
         original: part.expr,
+        old: part.expr.place,
+        is_integer: false,
     };
     let (old, new, is_whole) = smallest(part.expr, new, true);
+    let digits = writer.slice(old.place).bytes();
+    let writer = Writer {
+        old: old.place,
+        is_integer: is_index(part.expr, old) || digits.clone().all(|b| b.is_ascii_digit()),
+        ..writer
+    };
     if old.place.end <= old.place.start {
         return None;
     }
@@ -56,6 +64,19 @@ fn smallest<'e>(old: &'e Expr, new: &'e Expr, is_whole: bool) -> (&'e Expr, &'e 
     }
 }
 
+/// Whether a part is an index of a list or within one, or an exponent.
+fn is_index(whole: &Expr, part: &Expr) -> bool {
+    let contains = |expr: &Expr| {
+        let place = expr.place;
+        place.start <= part.place.start && part.place.end <= place.end
+    };
+    match &whole.node {
+        Node::Index(_, indices) if indices.iter().any(contains) => true,
+        Node::Binary(Operator::Power, _, exponent) if contains(exponent) => true,
+        _ => whole.parts().into_iter().any(|inner| is_index(inner, part)),
+    }
+}
+
 /// Whether two formulas differ in their parts alone.
 fn same_kind(old: &Expr, new: &Expr) -> bool {
     match (&old.node, &new.node) {
@@ -78,6 +99,10 @@ struct Writer<'t> {
     language: CodeLanguage,
     /// The formula as it stands in the file.
     original: &'t Expr,
+    /// The part that is replaced.
+    old: Place,
+    /// Whether that is an integer, whose type has no point.
+    is_integer: bool,
 }
 
 /// The most digits after a point.
@@ -117,7 +142,7 @@ impl Writer<'_> {
             return (self.slice(expr.place).to_owned(), self.tightness(expr));
         }
         let is_rust = self.language == CodeLanguage::Rust;
-        let float = is_float || is_rust;
+        let float = is_float || (is_rust && !self.is_integer);
         match &expr.node {
             Node::Number { value, .. } => (self.number(value, is_float), ATOM),
             Node::Name(name) if name == operation::PI => ("pi".to_owned(), ATOM),
@@ -208,7 +233,12 @@ impl Writer<'_> {
                 (format!("{one}.{name}({other})"), ATOM)
             }
             _ => {
-                let module = self.module(whole.place);
+                // What stands nowhere is called as what it replaces.
+                let place = match whole.place.end > whole.place.start {
+                    true => whole.place,
+                    false => self.old,
+                };
+                let module = self.module(place);
                 (format!("{module}{name}({})", written.join(", ")), ATOM)
             }
         }

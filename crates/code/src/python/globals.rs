@@ -2,7 +2,8 @@
 
 use super::bindings::bindings;
 use super::expression::Reader;
-use super::names::{Meaning, Sure};
+use super::meaning::Meaning;
+use super::names::Sure;
 use crate::grammar::{CodeNode, children};
 use crate::program::operation;
 
@@ -75,7 +76,7 @@ fn meaning(reader: Reader<'_>, function: CodeNode<'_>) -> Option<Meaning> {
                 .names
                 .module(text.text(function.child_by_field_name("object")?));
             let member = text.text(function.child_by_field_name("attribute")?);
-            super::names::meaning(&module.ok()??, member)
+            super::meaning::meaning(&module.ok()??, member)
         }
         _ => None,
     }

@@ -1,8 +1,10 @@
 //! Reads Python: functions of a module, the names that it imports and assigns.
 
 mod bindings;
+mod calls;
 mod expression;
 mod globals;
+mod meaning;
 mod names;
 mod statement;
 mod unsure;

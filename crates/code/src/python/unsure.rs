@@ -1,7 +1,7 @@
 //! What may change the meaning of any name of a file: then none of them is sure.
 
 use super::bindings::{bindings, imported};
-use super::names::MODULES;
+use super::meaning::MODULES;
 use crate::grammar::{CodeNode, Text, children, is_plain};
 use std::collections::{BTreeMap, BTreeSet};
 

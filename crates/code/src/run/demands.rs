@@ -1,8 +1,9 @@
 //! Assertions: a function has a value only where they hold, so they are hypotheses of the comparison.
 
+use super::conditions::holds;
 use super::symbols::free_names;
 use super::value::Value;
-use super::{Frame, Runner, holds};
+use super::{Frame, Runner};
 use crate::grammar::Read;
 use std::sync::Arc;
 use torse_syntax::formula::{Connective, Expr, Node, Place};

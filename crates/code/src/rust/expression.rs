@@ -1,6 +1,6 @@
 //! Expressions of Rust.
 
-use super::names::{Names, elementary};
+use super::names::Names;
 use super::types::Aliases;
 use crate::grammar::{CodeNode, Read, Text, at, binary, children, place};
 use crate::program::{call, operation};
@@ -22,21 +22,8 @@ pub(super) struct Reader<'s> {
 }
 
 /// What is read, for messages.
-const READ: &str = "numbers, names, `+ - * /`, `powi`, the elementary functions of `f64`, calls of functions of this file, arrays, \
+pub(super) const READ: &str = "numbers, names, `+ - * /`, `powi`, the elementary functions of `f64`, calls of functions of this file, arrays, \
                     tuples, indices, comparisons, `if` and sums over ranges are read";
-
-/// Methods of what goes through a list: other things may have others of these names.
-const OF_ITERATORS: [&str; 9] = [
-    "sum",
-    "product",
-    "map",
-    "enumerate",
-    "rev",
-    "zip",
-    "copied",
-    "cloned",
-    "collect",
-];
 
 impl Reader<'_> {
     /// Reads an expression.
@@ -117,14 +104,14 @@ impl Reader<'_> {
     }
 
     /// A call of what is no function of the file.
-    fn call(self, node: CodeNode<'_>, name: &str, arguments: Vec<Expr>) -> Expr {
+    pub(super) fn call(self, node: CodeNode<'_>, name: &str, arguments: Vec<Expr>) -> Expr {
         match self.functions.contains(name) {
             true => call(&format!("##{name}"), arguments, place(node)),
             false => call(name, arguments, place(node)),
         }
     }
 
-    fn all(self, nodes: &[CodeNode<'_>]) -> Read<Vec<Expr>> {
+    pub(super) fn all(self, nodes: &[CodeNode<'_>]) -> Read<Vec<Expr>> {
         nodes.iter().map(|node| self.expression(*node)).collect()
     }
 
@@ -332,12 +319,7 @@ impl Reader<'_> {
             "field_expression" => {
                 let object = self.text.field(function, "value")?;
                 let member = self.text.field(function, "field")?;
-                let name = self.text.text(member);
-                if OF_ITERATORS.contains(&name) && !self.is_iterator(object) {
-                    let message = format!("`{name}` is a method of what goes through a list");
-                    let help = format!("write `.iter().{name}(...)`");
-                    return Err(self.text.refused(member, message, help));
-                }
+                self.is_of_iterators(object, member)?;
                 self.method(node, self.expression(object)?, member, &list)
             }
             "scoped_identifier" => {
@@ -368,108 +350,6 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether something goes through a list, by the way it is written.
-    fn is_iterator(self, node: CodeNode<'_>) -> bool {
-        match node.kind() {
-            "range_expression" => true,
-            "parenthesized_expression" => children(node)
-                .first()
-                .is_some_and(|inner| self.is_iterator(*inner)),
-            "call_expression" => {
-                let function = node.child_by_field_name("function");
-                let name = function.and_then(|function| function.child_by_field_name("field"));
-                let name = name.map_or("", |name| self.text.text(name));
-                let makes = matches!(name, "iter" | "into_iter");
-                makes || (OF_ITERATORS.contains(&name) && name != "collect")
-            }
-            _ => false,
-        }
-    }
-
-    /// A method of a value.
-    fn method(
-        self,
-        node: CodeNode<'_>,
-        value: Expr,
-        member: CodeNode<'_>,
-        list: &[CodeNode<'_>],
-    ) -> Read<Expr> {
-        let name = self.text.text(member);
-        if !self.names.is_method(name) {
-            let message = format!("a trait of this file has a method `{name}`");
-            let help = "give that method a name of its own";
-            return Err(self.text.refused(member, message, help));
-        }
-        if let [closure] = list
-            && closure.kind() == "closure_expression"
-        {
-            return match name {
-                "map" => self.mapped(node, value, *closure),
-                _ => Err(self
-                    .text
-                    .refused(member, format!("`{name}` is not read"), READ)),
-            };
-        }
-        let arguments = self.all(list)?;
-        if let (Some(function), []) = (elementary(name), arguments.as_slice()) {
-            return Ok(self.call(node, function, vec![value]));
-        }
-        let operation = match (name, arguments.as_slice()) {
-            ("powi" | "powf", [exponent]) => {
-                return Ok(binary(node, Operator::Power, value, exponent.clone()));
-            }
-            // Numbers with a point have none of this name.
-            ("pow", [exponent]) => {
-                let whole = Expr {
-                    place: value.place,
-                    ..self.call(node, operation::INTEGER, vec![value])
-                };
-                return Ok(binary(node, Operator::Power, whole, exponent.clone()));
-            }
-            ("min" | "max", [other]) => {
-                return Ok(self.call(node, name, vec![value, other.clone()]));
-            }
-            ("recip", []) => {
-                let one = Expr::number(&integer(1));
-                let one = self.call(node, operation::FLOAT, vec![one]);
-                return Ok(binary(node, Operator::Divide, one, value));
-            }
-            ("mul_add", [factor, term]) => {
-                let product = binary(node, Operator::Multiply, value, factor.clone());
-                return Ok(binary(node, Operator::Add, product, term.clone()));
-            }
-            (
-                "iter" | "into_iter" | "copied" | "cloned" | "collect" | "as_slice" | "to_owned"
-                | "into" | "clone" | "to_vec",
-                [],
-            ) => operation::COPY,
-            ("len", []) => operation::LENGTH,
-            ("sum", []) => operation::SUM,
-            ("product", []) => operation::PRODUCT,
-            ("enumerate", []) => operation::ENUMERATE,
-            ("rev", []) => operation::REVERSED,
-            ("zip", [other]) => {
-                return Ok(self.call(node, operation::ZIP, vec![value, other.clone()]));
-            }
-            _ => {
-                let message = format!("the method `{name}` is not read");
-                return Err(self.text.refused(member, message, READ));
-            }
-        };
-        Ok(self.call(node, operation, vec![value]))
-    }
-
-    /// `values.map(|variable| body)`.
-    fn mapped(self, node: CodeNode<'_>, values: Expr, closure: CodeNode<'_>) -> Read<Expr> {
-        let parameters = parts_of(self.text.field(closure, "parameters")?);
-        let [variable] = parameters.as_slice() else {
-            return Err(self.unread(closure));
-        };
-        let variable = self.pattern(*variable)?;
-        let body = self.expression(self.text.field(closure, "body")?)?;
-        Ok(self.call(node, operation::FOR, vec![body, variable, values]))
-    }
-
     /// A pattern of names, as a list where it is a tuple.
     pub(super) fn pattern(self, node: CodeNode<'_>) -> Read<Expr> {
         match node.kind() {
@@ -494,7 +374,7 @@ impl Reader<'_> {
 }
 
 /// The parts of a pattern: `_` is a sign of the grammar, and no name.
-fn parts_of(node: CodeNode<'_>) -> Vec<CodeNode<'_>> {
+pub(super) fn parts_of(node: CodeNode<'_>) -> Vec<CodeNode<'_>> {
     let mut cursor = node.walk();
     let all = node.children(&mut cursor);
     let is_part = |part: &CodeNode<'_>| part.kind() == "_" || part.is_named();

@@ -1,12 +1,15 @@
 //! Reads Rust: free functions of a file, and its constants.
 
+mod attributes;
 mod expression;
+mod methods;
 mod names;
 mod statement;
 mod types;
 
 use crate::grammar::{CodeNode, Read, Text, children, place, tree};
 use crate::program::{CodeLanguage, Constant, Function, Parameter, Program, Type};
+use attributes::{attribute, attributes};
 use expression::Reader;
 use names::{Names, without_constants};
 use statement::Ending;
@@ -14,25 +17,6 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use torse_syntax::derivation::Source;
 use types::Aliases;
-
-/// Attributes that leave what is written as it is.
-const ATTRIBUTES: [&str; 15] = [
-    "allow",
-    "cold",
-    "deny",
-    "deprecated",
-    "doc",
-    "expect",
-    "forbid",
-    "inline",
-    "must_use",
-    "no_mangle",
-    "no_std",
-    "rustfmt::skip",
-    "track_caller",
-    "unsafe",
-    "warn",
-];
 
 /// Reads a file. What cannot be read of it is no error until it is asked for.
 pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
@@ -95,31 +79,6 @@ pub(crate) fn program(source: &Arc<Source>) -> Read<Program> {
         }
     }
     Ok(program)
-}
-
-/// Fails for an attribute that may leave out or change what it stands at.
-fn attribute(text: Text<'_>, node: CodeNode<'_>) -> Read<()> {
-    let inside = children(node).first().copied().unwrap_or(node);
-    let words = text.text(inside);
-    let name = words.split(['(', '=', ' ', '[']).next().unwrap_or(words);
-    if ATTRIBUTES.contains(&name) || name.starts_with("clippy::") {
-        return Ok(());
-    }
-    let message = format!("the attribute `{name}` may leave this out or change it");
-    Err(text.refused(node, message, "leave the attribute out"))
-}
-
-/// Fails for such an attribute within a node.
-fn attributes(text: Text<'_>, node: CodeNode<'_>) -> Read<()> {
-    let mut pending = vec![node];
-    while let Some(node) = pending.pop() {
-        if matches!(node.kind(), "attribute_item" | "inner_attribute_item") {
-            attribute(text, node)?;
-        }
-        let inner = children(node).into_iter().rev();
-        pending.extend(inner);
-    }
-    Ok(())
 }
 
 fn function(reader: Reader<'_>, node: CodeNode<'_>) -> Read<Function> {

@@ -3,7 +3,7 @@
 //! A name has a meaning only if exactly one item of the file binds it, whatever that is a name of: types, values, modules and
 //! macros are one list here. Whoever asks for another name is told why it has none.
 
-use super::attribute;
+use super::attributes::attribute;
 use crate::grammar::{CodeNode, Read, Text, children, is_plain};
 use crate::program::{call, operation};
 use std::collections::{BTreeMap, BTreeSet};

@@ -2,6 +2,7 @@
 //! integers whose division rounds. Each is refused, or found to be different, and its true neighbours are read.
 
 mod arrays;
+mod changes;
 mod complex;
 mod generators;
 mod integers;
