@@ -8,7 +8,7 @@ use num_traits::{Signed, Zero};
 use std::sync::Arc;
 use torse_numbers::rational::{integer, ratio};
 use torse_numbers::{Affine, Rational};
-use torse_syntax::formula::{Expr, Node, Operator, Place, parse};
+use torse_syntax::formula::{Expr, Node, Operator, Place, Relation, parse};
 
 /// The largest exponent of a power of two numbers that is carried out.
 const MAX_EXPONENT: i64 = 64;
@@ -216,7 +216,7 @@ impl Runner<'_> {
     fn root(&mut self, base: Term, exponent: &Rational, place: Place) -> Read<Term> {
         // The power of a negative number is complex in Python, and none in Rust.
         if self.program.language == CodeLanguage::Python {
-            self.not_negative(base.expr.clone(), place);
+            self.oblige(base.expr.clone(), Relation::AtLeast, place);
         }
         let root = Term::call("sqrt", vec![base]);
         if Some(exponent) == ratio(1, 2).as_ref() {

@@ -141,21 +141,23 @@ impl Runner<'_> {
                 "asin" | "acos" => {
                     let above = one.clone().with(Operator::Add, term.expr.clone());
                     let below = one.clone().with(Operator::Subtract, term.expr.clone());
-                    self.not_negative(above, place);
-                    self.not_negative(below, place);
+                    self.oblige(above, Relation::AtLeast, place);
+                    self.oblige(below, Relation::AtLeast, place);
                 }
-                _ => self.not_negative(term.expr.clone(), place),
+                // At zero SymPy has a value of its own.
+                "log" => self.oblige(term.expr.clone(), Relation::Greater, place),
+                _ => self.oblige(term.expr.clone(), Relation::AtLeast, place),
             }
         }
         self.function(name, values, place)
     }
 
-    /// Notes that a formula has to be at least zero.
-    pub(super) fn not_negative(&mut self, expr: Expr, place: Place) {
-        if matches!(&expr.node, Node::Number { value, .. } if !value.is_negative()) {
+    /// Notes that a formula has to be greater than zero, or at least zero.
+    pub(super) fn oblige(&mut self, expr: Expr, relation: Relation, place: Place) {
+        if matches!(&expr.node, Node::Number { value, .. } if value.is_positive()) {
             return;
         }
-        let relation = vec![(Relation::AtLeast, Expr::number(&integer(0)))];
+        let relation = vec![(relation, Expr::number(&integer(0)))];
         let condition = Expr::made(Node::Compare(Arc::new(expr), relation));
         let obligation = Obligation { condition, place };
         if !self.obligations.contains(&obligation) {

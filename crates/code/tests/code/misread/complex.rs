@@ -53,6 +53,16 @@ fn what_may_be_complex_is_not_equal_to_what_has_no_value_there() {
                 "abs(x) + x",
                 Some(Equal),
             ),
+            (
+                "from sympy import exp, log\ndef f(x):\n    assert x >= 0\n    return exp(log(x))\n",
+                "x",
+                None,
+            ),
+            (
+                "from sympy import exp, log\ndef f(x):\n    assert x > 0\n    return exp(log(x))\n",
+                "x",
+                Some(Equal),
+            ),
         ],
     );
 }
