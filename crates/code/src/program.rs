@@ -134,6 +134,8 @@ pub(crate) struct Constant {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     Whole,
+    /// Integers that are not negative, of a type that has no others.
+    Natural,
     Float,
     Unknown,
 }
@@ -143,11 +145,20 @@ impl Kind {
         if is_whole { Self::Whole } else { Self::Float }
     }
 
+    /// Whether it is one of integers.
+    pub(crate) fn is_integer(self) -> bool {
+        matches!(self, Self::Whole | Self::Natural)
+    }
+
     /// The type of what two numbers make: floating-point numbers prevail.
     pub(crate) fn joined(self, other: Self) -> Self {
         match (self, other) {
             (Self::Float, _) | (_, Self::Float) => Self::Float,
             (Self::Whole, Self::Whole) => Self::Whole,
+            // Types of integers are not mixed: the other one is a number that is written down.
+            (Self::Natural, Self::Natural | Self::Whole) | (Self::Whole, Self::Natural) => {
+                Self::Natural
+            }
             _ => Self::Unknown,
         }
     }

@@ -176,13 +176,26 @@ impl Runner<'_> {
             let message = "this divides by zero";
             return Err(self.refused(place, message, "give a divisor that is not zero"));
         }
+        if kind == Kind::Natural && operator == Operator::Subtract && place != NOWHERE {
+            let difference = left.clone().joined(Operator::Subtract, right.clone());
+            let is_natural = match (&left.constant, &right.constant) {
+                (Some(a), Some(b)) => a >= b,
+                _ => self.is_natural(&difference),
+            };
+            if !is_natural {
+                let message = "this may be below zero, and its type has no such integers";
+                let help =
+                    "declare the integers such that it is not, or convert them before: `n as i64`";
+                return Err(self.refused(place, message, help));
+            }
+        }
         let folded = match (&left.constant, &right.constant) {
             (Some(a), Some(b)) => folded(operator, a, b),
             _ => None,
         };
         if truncates && !folded.as_ref().is_some_and(Rational::is_integer) {
             let message = match kind {
-                Kind::Whole => "this division of integers rounds",
+                Kind::Whole | Kind::Natural => "this division of integers rounds",
                 _ => "this may be a division of integers, which rounds",
             };
             let help = "divide numbers with a point, `1.0/2.0`, or convert before: `n as f64`";
@@ -192,7 +205,7 @@ impl Runner<'_> {
             let are_dyadic = [&left.constant, &right.constant]
                 .iter()
                 .all(|own| own.as_ref().is_none_or(is_dyadic));
-            let is_exact = kind == Kind::Whole || (are_dyadic && is_dyadic(&value));
+            let is_exact = kind.is_integer() || (are_dyadic && is_dyadic(&value));
             let is_rounded = left.is_rounded || right.is_rounded || !is_exact;
             return Ok(Term {
                 kind,

@@ -39,7 +39,7 @@ impl Runner<'_> {
             && ELEMENTARY.contains(&name)
             && name != "abs"
             && let [Value::Term(term)] = values.as_slice()
-            && term.kind == Kind::Whole
+            && term.kind.is_integer()
         {
             let message = format!("an integer has no `{name}` in Rust");
             return Err(self.refused(place, message, "convert it before: `n as f64`"));

@@ -166,7 +166,7 @@ impl Runner<'_> {
             (own, []) if own.starts_with(operation::SYMBOL) => {
                 self.symbol(own.trim_start_matches(operation::SYMBOL), place)
             }
-            (operation::INTEGER, [Value::Term(term)]) if term.kind == Kind::Whole => {
+            (operation::INTEGER, [Value::Term(term)]) if term.kind.is_integer() => {
                 Ok(Value::Term(term.clone()))
             }
             (operation::INTEGER, [other]) => {

@@ -38,7 +38,7 @@ impl Runner<'_> {
         );
         let is_exact = match &term.constant {
             Some(value) => fits(value),
-            None if term.kind != Kind::Whole => false,
+            None if !term.kind.is_integer() => false,
             None => {
                 let is_signed = !kind.starts_with('u');
                 let least = self.least(term);
@@ -50,13 +50,13 @@ impl Runner<'_> {
         if !is_exact || term.is_point {
             let message = match &term.constant {
                 Some(value) if value.is_integer() => format!("{value} is no value of `{kind}`"),
-                None if term.kind == Kind::Whole => {
+                None if term.kind.is_integer() => {
                     format!("this may be no value of `{kind}`, and is cut off then")
                 }
                 _ => "this conversion rounds".to_owned(),
             };
             let help = match term.kind {
-                Kind::Whole => {
+                Kind::Whole | Kind::Natural => {
                     "declare the integers such that it is one, or fix them: `--where 'n == 3'`"
                 }
                 _ => "code is read as exact mathematics: leave it out",
@@ -64,7 +64,10 @@ impl Runner<'_> {
             return Err(self.refused(place, message, help));
         }
         Ok(Value::Term(Term {
-            kind: Kind::Whole,
+            kind: match kind.starts_with('u') {
+                true => Kind::Natural,
+                false => Kind::Whole,
+            },
             ..term.clone()
         }))
     }

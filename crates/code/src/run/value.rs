@@ -376,7 +376,7 @@ impl Value {
     /// Whether all its numbers have the type of integers.
     pub(crate) fn is_whole(&self) -> bool {
         match self {
-            Self::Term(term) => term.kind == Kind::Whole,
+            Self::Term(term) => term.kind.is_integer(),
             Self::List(list) => list.values.iter().all(Self::is_whole),
             _ => false,
         }

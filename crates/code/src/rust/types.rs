@@ -80,7 +80,13 @@ impl Aliases {
         match node.kind() {
             "primitive_type" | "type_identifier" => match self.named.get(words) {
                 Some(named) => named.as_ref().map(|named| named.meaning.clone()),
-                None if INTEGERS.contains(&words) => Some(Type::Number(Kind::Whole)),
+                None if INTEGERS.contains(&words) => {
+                    let is_natural = words.starts_with('u');
+                    Some(Type::Number(match is_natural {
+                        true => Kind::Natural,
+                        false => Kind::Whole,
+                    }))
+                }
                 None if matches!(words, "f64" | "f32") => Some(Type::Number(Kind::Float)),
                 None => None,
             },

@@ -126,6 +126,12 @@ fn a_number_is_converted_only_where_nothing_is_cut_off() {
                 Some(Equal),
             ),
             ("fn f(n: i32) -> f64 { (n as u8) as f64 }\n", "n", None),
+            ("fn f(n: usize) -> f64 { (n - 1) as f64 }\n", "n - 1", None),
+            (
+                "fn f(n: usize, m: usize) -> f64 { (n as i64 - 1) as f64 + (m - 1) as f64 }\n",
+                "n + m - 2",
+                Some(Equal),
+            ),
             ("fn f(k: i32) -> f64 { (k as u32) as f64 }\n", "k", None),
             (
                 "fn f(k: i32, x: f64) -> f64 { (k as usize) as f64 * x }\n",
