@@ -350,11 +350,6 @@ impl Runner<'_> {
                     }
                     for value in self.items(all, values.place)? {
                         self.spend(values.place)?;
-                        if sources.iter().any(|source| self.changed.contains(source)) {
-                            let message = "the list is changed while the loop goes through it";
-                            let help = "go through a copy of it: `for p in list(P)`";
-                            return Err(self.refused(values.place, message, help));
-                        }
                         self.is_current(&value, values.place)?;
                         let outer = frame.hidden.len();
                         self.assign(variable, value, self.block(), frame)?;
@@ -362,6 +357,12 @@ impl Runner<'_> {
                         frame.restore(outer);
                         if value.is_some() {
                             return Ok(value);
+                        }
+                        // After the last turn too: what grows in it has more of them.
+                        if sources.iter().any(|source| self.changed.contains(source)) {
+                            let message = "the list is changed while the loop goes through it";
+                            let help = "go through a copy of it: `for p in list(P)`";
+                            return Err(self.refused(values.place, message, help));
                         }
                     }
                 }

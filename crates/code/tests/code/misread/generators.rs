@@ -39,6 +39,16 @@ fn values_that_are_made_later_are_not_read() {
                 None,
             ),
             (
+                "def f(x):\n    q = [1]\n    for v in q:\n        if len(q) < 4:\n            q.append(v)\n    return len(q)*x\n",
+                "2*x",
+                None,
+            ),
+            (
+                "def f(x):\n    q = [1]\n    for v in list(q):\n        if len(q) < 4:\n            q.append(v)\n    return len(q)*x\n",
+                "2*x",
+                Some(Equal),
+            ),
+            (
                 "def sum(q):\n    return 7\ndef f(x):\n    return sum(i for i in range(3))*x\n",
                 "7*x",
                 None,
