@@ -176,6 +176,13 @@ impl Runner<'_> {
             let message = "this divides by zero";
             return Err(self.refused(place, message, "give a divisor that is not zero"));
         }
+        let is_negative = right.constant.as_ref().is_some_and(Rational::is_negative);
+        let is_power = operator == Operator::Power && left.kind.is_integer();
+        if is_power && is_negative && (left.is_of_array || right.is_of_array) {
+            let message = "NumPy has no negative power of an integer of an array";
+            let help = "write the entries of the array with a point";
+            return Err(self.refused(place, message, help));
+        }
         if kind == Kind::Natural && operator == Operator::Subtract && place != NOWHERE {
             let difference = left.clone().joined(Operator::Subtract, right.clone());
             let is_natural = match (&left.constant, &right.constant) {
@@ -210,6 +217,7 @@ impl Runner<'_> {
             return Ok(Term {
                 kind,
                 is_rounded,
+                is_of_array: left.is_of_array || right.is_of_array,
                 ..Term::number(value, false)
             });
         }
@@ -260,6 +268,13 @@ impl Runner<'_> {
                 let is_python = self.program.language == CodeLanguage::Python;
                 let position = position(index, count, is_python);
                 let entry = position.and_then(|position| items.into_iter().nth(position));
+                let entry = entry.map(|entry| match entry {
+                    Value::Term(term) if list.shape == Shape::Vector => Value::Term(Term {
+                        is_of_array: is_python && term.kind.is_integer(),
+                        ..term
+                    }),
+                    other => other,
+                });
                 entry.ok_or_else(|| {
                     let message = format!("there is no entry {index} among {count}");
                     self.refused(place, message, "entries are counted from 0")

@@ -66,6 +66,8 @@ pub(crate) struct Term {
     pub(crate) constant: Option<Rational>,
     /// Whether floating-point numbers that were computed may be near it, and not be it.
     pub(crate) is_rounded: bool,
+    /// Whether it is an integer of an array, which NumPy raises to no negative power.
+    pub(crate) is_of_array: bool,
 }
 
 /// A family of points or numbers.
@@ -95,6 +97,7 @@ impl Term {
             object: FOREIGN,
             constant: Some(value),
             is_rounded: false,
+            is_of_array: false,
         }
     }
 
@@ -109,6 +112,7 @@ impl Term {
             object: FOREIGN,
             constant: None,
             is_rounded: false,
+            is_of_array: false,
         }
     }
 
@@ -127,6 +131,7 @@ impl Term {
             object: FOREIGN,
             constant: None,
             is_rounded: false,
+            is_of_array: false,
         }
     }
 
@@ -140,6 +145,7 @@ impl Term {
             object: FOREIGN,
             constant: None,
             is_rounded: false,
+            is_of_array: self.is_of_array || other.is_of_array,
             expr: self.expr.with(operator, other.expr),
         }
     }
@@ -191,6 +197,7 @@ impl Term {
             return Self {
                 kind: self.kind,
                 is_rounded: self.is_rounded,
+                is_of_array: self.is_of_array,
                 ..Self::number(-value, false)
             };
         }
@@ -202,6 +209,7 @@ impl Term {
             object: FOREIGN,
             constant: None,
             is_rounded: false,
+            is_of_array: false,
             expr: Expr::made(Node::Negative(Arc::new(self.expr))),
         }
     }
@@ -248,6 +256,7 @@ impl Value {
                     object: FOREIGN,
                     constant: None,
                     is_rounded: false,
+                    is_of_array: false,
                 })
             }
             Self::Truth(_) | Self::Family(_) => None,

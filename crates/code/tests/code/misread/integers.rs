@@ -112,6 +112,16 @@ fn an_array_of_computed_integers_is_one_of_integers() {
                 "x",
                 Some(Equal),
             ),
+            (
+                "import numpy as np\ndef f(x):\n    c = np.array([2, 3])\n    return c[0]**-1*x\n",
+                "x/2",
+                None,
+            ),
+            (
+                "import numpy as np\ndef f(x):\n    c = np.array([2, 3.0])\n    return c[0]**-1*x\n",
+                "x/2",
+                Some(Equal),
+            ),
         ],
     );
 }
