@@ -9,7 +9,6 @@
 //! The proved statements may define a name twice, for numbers and for integers (`turn` and `turn_`). The second is the
 //! first at `IZR u`, which is shown in the same way.
 
-use crate::printed::PRINTED;
 use crate::proposition::Proposition;
 use crate::shared::{DEFINITIONS, Shared, words};
 use crate::task::Goal;
@@ -54,13 +53,13 @@ impl SharedEquations {
         all
     }
 
-    /// Returns the lines before all theorems of the section.
-    pub(crate) fn lines(&self, section: &str) -> String {
+    /// Returns the lines before all theorems about the statements of this section.
+    pub(crate) fn lines(&self, printed: &str) -> String {
         let equations = self.between.iter().chain(&self.at_integers);
         let lines: String = equations.map(|equation| equation.line.as_str()).collect();
         match self.between.is_empty() {
             true => lines,
-            false => format!("Import {section}{PRINTED}.{DEFINITIONS}.\n{lines}"),
+            false => format!("Import {printed}.{DEFINITIONS}.\n{lines}"),
         }
     }
 }

@@ -316,7 +316,12 @@ impl Folder {
                 let modules: Vec<&str> = followed.iter().map(|t| t.proof.as_str()).collect();
                 self.files.insert(
                     format!("{path}{PRINTED}{PROOFS}"),
-                    printed::file(prefix, &section, &equations.lines(&section), &modules),
+                    printed::file(
+                        prefix,
+                        &section,
+                        &equations.lines(&format!("{section}{PRINTED}")),
+                        &modules,
+                    ),
                 );
                 self.theorems.extend(followed);
             }

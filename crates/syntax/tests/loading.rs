@@ -169,13 +169,16 @@ fn malformed_ranges_are_mistakes_and_empty_ones_are_not() {
         "integer = '2'",
         "integer = '0..'",
         "integer = '>= 1/2'",
+        "integer = '0..nothing'",
+        "integer = '0..x'",
+        "family = 3, indices = ['0..a']",
         "family = 3, indices = ['>= 1']",
         "in = '[0, 1]', integer = '>= 0'",
         "in = 3",
         "near = '[0, 1]'",
     ] {
         let folder = Folder::new("ranges");
-        let symbols = format!("[symbols]\nx = {{ {wrong} }}\n\n");
+        let symbols = format!("[symbols]\na = {{}}\nx = {{ {wrong} }}\n\n");
         folder.write(
             "mini/claims.toml",
             &(symbols + &claim("mini/a", "x == x", "")),
@@ -197,7 +200,7 @@ fn malformed_ranges_are_mistakes_and_empty_ones_are_not() {
         "family = 3, indices = ['0..k', '3..1']",
     ] {
         let folder = Folder::new("ranges-right");
-        let symbols = format!("[symbols]\nx = {{ {right} }}\n\n");
+        let symbols = format!("[symbols]\nk = {{ integer = '>= 1' }}\nx = {{ {right} }}\n\n");
         folder.write(
             "mini/claims.toml",
             &(symbols + &claim("mini/a", "x == x", "")),
