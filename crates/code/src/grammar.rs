@@ -194,6 +194,16 @@ pub(crate) fn binary(node: CodeNode<'_>, operator: Operator, left: Expr, right: 
     )
 }
 
+/// A node and all nodes within it that are no comments, in the order of the text.
+pub(crate) fn within<'t>(node: CodeNode<'t>) -> impl Iterator<Item = CodeNode<'t>> {
+    let mut pending = vec![node];
+    std::iter::from_fn(move || {
+        let next = pending.pop()?;
+        pending.extend(children(next).into_iter().rev());
+        Some(next)
+    })
+}
+
 /// The children of a node that are no comments.
 pub(crate) fn children(node: CodeNode<'_>) -> Vec<CodeNode<'_>> {
     let mut cursor = node.walk();

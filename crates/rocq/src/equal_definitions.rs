@@ -22,6 +22,14 @@ struct Equation {
     line: String,
 }
 
+impl Equation {
+    /// The name of the definition that it replaces, without its place.
+    fn definition(&self) -> &str {
+        let replaced = &self.replaced;
+        replaced.rsplit_once('.').map_or(replaced, |(_, name)| name)
+    }
+}
+
 /// The equations of the shared definitions of a section.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SharedEquations {
@@ -112,27 +120,23 @@ impl Equations {
         }
         let text = proved.proposition.universal();
         let occur: BTreeSet<&str> = words(&text).collect();
-        let mut at_integers = vec![];
-        let own = all.own.len();
+        let (mut at_integers, mut own_lines) = (vec![], String::new());
         for definition in &there {
             let equation = match is_own(definition.text) {
                 true => {
                     let equation = definition.at_integers(&there, &at_integers);
-                    all.own.extend(equation.iter().map(|own| own.line.as_str()));
+                    own_lines.extend(equation.iter().map(|own| own.line.as_str()));
                     equation
                 }
                 false => shared_equation(&shared.at_integers, definition.name),
             };
             at_integers.extend(equation);
         }
-        let occurs = |equation: &Equation| {
-            let name = equation.replaced.rsplit('.').next();
-            name.is_some_and(|name| occur.contains(name))
-        };
-        all.at_integers = at_integers.into_iter().filter(occurs).collect();
-        if all.at_integers.is_empty() {
-            all.own.truncate(own);
+        at_integers.retain(|equation| occur.contains(equation.definition()));
+        if !at_integers.is_empty() {
+            all.own.push_str(&own_lines);
         }
+        all.at_integers = at_integers;
         all
     }
 
@@ -163,11 +167,8 @@ impl Equations {
 
 /// Returns the shared equation of a definition.
 fn shared_equation(shared: &[Equation], name: &str) -> Option<Equation> {
-    let is_named = |equation: &&Equation| {
-        let replaced = equation.replaced.rsplit('.').next();
-        replaced == Some(name)
-    };
-    shared.iter().find(is_named).cloned()
+    let mut shared = shared.iter();
+    shared.find(|own| own.definition() == name).cloned()
 }
 
 /// A definition of a section: where it stands, its name, and its text.
@@ -255,11 +256,8 @@ impl<'t> Definition<'t> {
     fn equation(&self, end: &str, replaced: String, value: &str, earlier: &[Equation]) -> Equation {
         let name = format!("{}_{end}", self.name);
         let used: BTreeSet<&str> = words(self.text).filter(|word| *word != self.name).collect();
-        let is_used = |equation: &&Equation| {
-            let name = equation.replaced.rsplit('.').next();
-            name.is_some_and(|name| used.contains(name))
-        };
-        let by = together(earlier.iter().filter(is_used));
+        let earlier = earlier.iter();
+        let by = together(earlier.filter(|equation| used.contains(equation.definition())));
         let by = by.map_or_else(String::new, |equations| format!(" by {equations}"));
         Equation {
             line: format!("Definition {name} := ltac:(same {replaced} {value}{by}).\n"),

@@ -283,7 +283,6 @@ impl Folder {
                     (&shared_print, &shared),
                     (printed, goal),
                 );
-
                 let proof = printed::module(&section, (printed, goal), &equations, &scripts);
                 let plain =
                     printed::module(&section, (printed, goal), &Equations::default(), &scripts);

@@ -67,10 +67,8 @@ pub fn statements(
     );
     text.push_str(&shared.module());
     for goal in goals {
-        let head = format!("\nModule {}.\n", goal.module);
-        let module = statement(goal, &shared.others(goal));
-        let rest = module.strip_prefix(&head).unwrap_or(&module);
-        text.push_str(&format!("{head}{}\n{rest}", comment(&about(goal))));
+        let about = format!("{}\n", comment(&about(goal)));
+        text.push_str(&module(goal, &about, &shared.others(goal)));
     }
     text
 }
@@ -99,7 +97,12 @@ pub fn print(goal: &Goal) -> String {
 /// Writes the module of the statement of a goal, with these of its definitions and without comments.
 #[must_use]
 pub fn statement(goal: &Goal, definitions: &[&str]) -> String {
-    let mut text = format!("\nModule {}.\n", goal.module);
+    module(goal, "", definitions)
+}
+
+/// Writes the module of the statement of a goal, with a line about it and these of its definitions.
+fn module(goal: &Goal, about: &str, definitions: &[&str]) -> String {
+    let mut text = format!("\nModule {}.\n{about}", goal.module);
     let proposition = &goal.proposition;
     for definition in definitions {
         text.push_str(definition);

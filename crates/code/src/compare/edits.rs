@@ -60,7 +60,7 @@ pub(super) fn search(
             steps += taken;
             let change: (Part<'_>, Expr) = (part, edit.expr);
             let computed = value.ok()?;
-            // What would have to be shown first of the changed program is no change that is proposed.
+            // A change is proposed only if it asks for nothing that is not shown already.
             let is_shown = |own: &Obligation| {
                 let mut before = shown_before.iter();
                 before.any(|other| other.condition == own.condition)

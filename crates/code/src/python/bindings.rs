@@ -4,7 +4,7 @@
 //! the bodies of functions, lambdas and classes, which have scopes of their own. The variable of a comprehension is one of
 //! the comprehension; what `:=` binds in it is one of the scope.
 
-use crate::grammar::{CodeNode, Text, children};
+use crate::grammar::{CodeNode, Text, children, within};
 
 /// A name with the node that gives it a meaning.
 pub(super) type Binding<'t> = (String, CodeNode<'t>);
@@ -57,7 +57,7 @@ pub(super) fn bindings<'t>(text: Text<'_>, scope: &[CodeNode<'t>]) -> Vec<Bindin
     found
 }
 
-/// The names of a pattern; what stands in entries and attributes is no name of it.
+/// The names that a pattern binds. Entries and attributes bind none: `a[i], b.c = 1, 2`.
 fn bind<'t>(
     text: Text<'_>,
     pattern: Option<CodeNode<'t>>,
@@ -76,24 +76,15 @@ fn bind<'t>(
 
 /// All names at a node and within it.
 fn all<'t>(text: Text<'_>, node: CodeNode<'t>, binder: CodeNode<'t>, into: &mut Vec<Binding<'t>>) {
-    let mut pending = vec![node];
-    while let Some(node) = pending.pop() {
-        if node.kind() == "identifier" {
-            into.push((text.text(node).to_owned(), binder));
-        }
-        pending.extend(children(node));
-    }
+    let names = within(node).filter(|node| node.kind() == "identifier");
+    into.extend(names.map(|name| (text.text(name).to_owned(), binder)));
 }
 
 /// The names that the functions of a file declare as global.
 pub(super) fn declared_global<'t>(text: Text<'_>, root: CodeNode<'t>) -> Vec<Binding<'t>> {
     let mut found = vec![];
-    let mut pending = vec![root];
-    while let Some(node) = pending.pop() {
-        if node.kind() == "global_statement" {
-            all(text, node, node, &mut found);
-        }
-        pending.extend(children(node));
+    for node in within(root).filter(|node| node.kind() == "global_statement") {
+        all(text, node, node, &mut found);
     }
     found
 }

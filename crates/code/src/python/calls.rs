@@ -29,7 +29,7 @@ impl Reader<'_> {
                         return Err(self.refused(function, &message, help));
                     }
                     Sure::Function => {
-                        let arguments = self.arguments(arguments, false)?;
+                        let arguments = self.arguments(arguments)?;
                         let head = at(function, Node::Name(name.to_owned()));
                         return Ok(at(node, Node::Call(Arc::new(head), arguments)));
                     }
@@ -57,18 +57,9 @@ impl Reader<'_> {
         self.with_meaning(node, meaning, arguments)
     }
 
-    /// The arguments of a call, of which none has a name; one without a list, `(... for ...)`, where the call goes through it at once.
-    fn arguments(self, node: CodeNode<'_>, goes_through_it: bool) -> Read<Vec<Expr>> {
-        let nodes = match node.kind() {
-            "generator_expression" => vec![node],
-            _ => children(node),
-        };
-        if let [only] = nodes.as_slice()
-            && only.kind() == "generator_expression"
-            && goes_through_it
-        {
-            return Ok(vec![self.comprehension(*only)?]);
-        }
+    /// The arguments of a call. Fails for one that is given by its name.
+    fn arguments(self, node: CodeNode<'_>) -> Read<Vec<Expr>> {
+        let nodes = argument_nodes(node);
         for argument in &nodes {
             if argument.kind() == "keyword_argument" {
                 let message = "an argument with a name is not read";
@@ -105,7 +96,10 @@ impl Reader<'_> {
             let message = "the type of an array is not read";
             return Err(self.refused(list, message, "give the entries alone"));
         }
-        let arguments = self.arguments(list, goes_through_it)?;
+        let arguments = match only_generator(list).filter(|_| goes_through_it) {
+            Some(generator) => vec![self.comprehension(generator)?],
+            None => self.arguments(list)?,
+        };
         let count = arguments.len();
         let wrong = || {
             let message = format!("this call with {count} arguments is not read");
@@ -260,7 +254,7 @@ impl Reader<'_> {
         member: &str,
         list: CodeNode<'_>,
     ) -> Read<Expr> {
-        let arguments = self.arguments(list, false)?;
+        let arguments = self.arguments(list)?;
         let value = self.expression(object)?;
         let with = |more: Vec<Expr>| std::iter::once(value.clone()).chain(more).collect();
         match (member, arguments.len()) {
@@ -281,5 +275,21 @@ impl Reader<'_> {
                 Err(self.refused(node, &message, READ))
             }
         }
+    }
+}
+
+/// The arguments of a call. A generator may stand alone, without a list: `sum(x for x in v)`.
+fn argument_nodes(list: CodeNode<'_>) -> Vec<CodeNode<'_>> {
+    match list.kind() {
+        "generator_expression" => vec![list],
+        _ => children(list),
+    }
+}
+
+/// The generator that is the one argument of a call.
+fn only_generator(list: CodeNode<'_>) -> Option<CodeNode<'_>> {
+    match argument_nodes(list).as_slice() {
+        [only] if only.kind() == "generator_expression" => Some(*only),
+        _ => None,
     }
 }

@@ -6,7 +6,7 @@
 use super::bindings::{Import, bindings, declared_global, imported, imported_whole};
 use super::meaning::{MODULES, Meaning, built_in, meaning};
 use super::unsure::unsure;
-use crate::grammar::{CodeNode, Text, children};
+use crate::grammar::{CodeNode, Text, children, within};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The names of a file.
@@ -188,12 +188,8 @@ impl Names {
                 }
             }
         }
-        let mut pending = vec![root];
-        while let Some(node) = pending.pop() {
-            if node.kind().starts_with("import_") {
-                names.note(text, node);
-            }
-            pending.extend(children(node));
+        for node in within(root).filter(|node| node.kind().starts_with("import_")) {
+            names.note(text, node);
         }
         names.whole.sort_by_key(|(_, position)| *position);
         names.unsure = unsure(text, root, &outside).map(line);

@@ -2,7 +2,7 @@
 
 use super::bindings::{bindings, imported};
 use super::meaning::MODULES;
-use crate::grammar::{CodeNode, Text, children, is_plain};
+use crate::grammar::{CodeNode, Text, children, is_plain, within};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Functions and names by which a program reaches the names of a module.
@@ -250,12 +250,6 @@ fn odd_names<'t>(
     if outside.keys().all(|name| is_plain(name)) {
         return None;
     }
-    let mut pending = vec![root];
-    while let Some(node) = pending.pop() {
-        if node.kind() == "identifier" && !is_plain(text.text(node)) {
-            return Some(node);
-        }
-        pending.extend(children(node));
-    }
-    Some(root)
+    let is_odd = |node: &CodeNode<'t>| node.kind() == "identifier" && !is_plain(text.text(*node));
+    within(root).filter(is_odd).last().or(Some(root))
 }

@@ -1,6 +1,6 @@
 //! Attributes of Rust: which leave what they stand at as it is.
 
-use crate::grammar::{CodeNode, Read, Text, children};
+use crate::grammar::{CodeNode, Read, Text, children, within};
 
 /// Attributes that leave what is written as it is.
 const ATTRIBUTES: [&str; 15] = [
@@ -35,13 +35,8 @@ pub(super) fn attribute(text: Text<'_>, node: CodeNode<'_>) -> Read<()> {
 
 /// Fails for such an attribute within a node.
 pub(super) fn attributes(text: Text<'_>, node: CodeNode<'_>) -> Read<()> {
-    let mut pending = vec![node];
-    while let Some(node) = pending.pop() {
-        if matches!(node.kind(), "attribute_item" | "inner_attribute_item") {
-            attribute(text, node)?;
-        }
-        let inner = children(node).into_iter().rev();
-        pending.extend(inner);
-    }
-    Ok(())
+    let is_attribute =
+        |node: &CodeNode<'_>| matches!(node.kind(), "attribute_item" | "inner_attribute_item");
+    let mut all = within(node).filter(is_attribute);
+    all.try_for_each(|node| attribute(text, node))
 }

@@ -1,7 +1,7 @@
 //! Types of Rust: which numbers are integers, whose division rounds.
 
 use super::names::Names;
-use crate::grammar::{CodeNode, Text, children};
+use crate::grammar::{CodeNode, Text, children, within};
 use crate::program::{Kind, Type};
 use std::collections::BTreeMap;
 
@@ -63,12 +63,10 @@ impl Aliases {
     pub(super) fn within(&self, text: Text<'_>, function: CodeNode<'_>) -> Self {
         let mut own = self.clone();
         let parameters = function.child_by_field_name("type_parameters");
-        let mut pending: Vec<CodeNode<'_>> = parameters.into_iter().collect();
-        while let Some(node) = pending.pop() {
+        for node in parameters.into_iter().flat_map(within) {
             if matches!(node.kind(), "type_identifier" | "identifier") {
                 own.named.insert(text.text(node).to_owned(), None);
             }
-            pending.extend(children(node));
         }
         own
     }

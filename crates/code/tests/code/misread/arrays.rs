@@ -1,4 +1,4 @@
-//! Arrays of NumPy, and symbols and matrices of SymPy, which are no lists of numbers.
+//! Arrays of NumPy, and symbols and matrices of SymPy: they do not behave as lists of numbers.
 
 use super::are;
 use torse_code::CodeVerdict::Equal;
