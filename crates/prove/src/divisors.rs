@@ -7,8 +7,10 @@ use crate::evaluate::Evaluator;
 use crate::evaluate::series::polynomial_of;
 use crate::evaluate::value::{Statement, Value};
 use crate::roots;
+use std::collections::BTreeSet;
+use std::sync::Arc;
 use torse_algebra::fault_injection::{InjectedFault, injected};
-use torse_algebra::{Finest, Fraction, Polynomial, Symbol};
+use torse_algebra::{Affine, Finest, Fraction, Polynomial, Symbol};
 use torse_certificate::sign::Sign;
 use torse_core as core;
 use torse_syntax::derivation::declarations::SymbolKind;
@@ -123,20 +125,54 @@ pub(crate) fn index_ranges(
             let Some(SymbolKind::Family { ranges, .. }) = claim.symbols.get(name) else {
                 continue;
             };
-            for (index, (least, most)) in index.iter().zip(ranges) {
-                for gap in [index.clone() - least.clone(), most.clone() - index.clone()] {
-                    let gap = evaluator.affine_fixed(&gap);
-                    if gap.as_number().is_none_or(|n| n < 0) {
-                        found.push(Constraint {
-                            value: polynomial_of(&gap).into(),
-                            relation: Relation::AtLeast,
-                        });
-                    }
-                }
+            for (index, ends) in index.iter().zip(ranges) {
+                found.extend(within(index, ends, evaluator));
             }
         }
     }
     found
+}
+
+/// The same of a statement as it is written, before equations give values to members.
+pub(crate) fn written_ranges(
+    statement: &core::Statement,
+    evaluator: &Evaluator<'_>,
+) -> Vec<Constraint> {
+    let (mut found, mut seen) = (vec![], BTreeSet::new());
+    let mut open = statement.terms();
+    while let Some(term) = open.pop() {
+        if !seen.insert(Arc::as_ptr(&term.node).addr()) {
+            continue;
+        }
+        if let core::Node::Member(points, indices) = &*term.node {
+            for (index, ends) in indices.iter().zip(&points.ranges) {
+                // An index that depends on a binder has its range from there.
+                if let Some(index) = evaluator.integer_form(index) {
+                    found.extend(within(&index, ends, evaluator));
+                }
+            }
+        }
+        open.extend(term.parts());
+    }
+    found
+}
+
+/// That an index lies between the ends of its range, as far as the fixed integers leave that open.
+fn within(
+    index: &Affine,
+    (least, most): &(Affine, Affine),
+    evaluator: &Evaluator<'_>,
+) -> Vec<Constraint> {
+    let gaps = [index.clone() - least.clone(), most.clone() - index.clone()];
+    let gaps = gaps.map(|gap| evaluator.affine_fixed(&gap));
+    let open = gaps
+        .iter()
+        .filter(|gap| gap.as_number().is_none_or(|n| n < 0));
+    let constraint = |gap| Constraint {
+        value: polynomial_of(gap).into(),
+        relation: Relation::AtLeast,
+    };
+    open.map(constraint).collect()
 }
 
 /// Whether a condition is a factor of a divisor.

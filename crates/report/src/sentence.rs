@@ -40,10 +40,7 @@ pub(crate) fn short_sentence(outcome: &Outcome, faults: &[PaperFault]) -> String
             .unwrap_or_else(|| "False as printed.".to_owned()),
         Verdict::Conditional => {
             let found = found.map_or_else(String::new, |found| format!(" In words: {found}"));
-            let beyond = match needs_each(outcome) {
-                true => "; elsewhere it can fail",
-                false => "",
-            };
+            let beyond = beyond(outcome);
             match conjunction(outcome.conditions()) {
                 Some(conditions) => format!("True if {conditions}{beyond}.{found}"),
                 None => {
@@ -93,13 +90,21 @@ pub(crate) fn fault_in_short(says: &str) -> String {
     sentence(first_sentence(says))
 }
 
-/// Whether for each condition a point is known at which it fails and the statement is false or undefined. That the
+/// What is said of the points at which a condition fails: that the statement can fail there, or be undefined, if for each
+/// condition a point is known at which it fails and the statement does so. That the
 /// statement is true *only* if the condition holds is never said: other points without it may satisfy the statement. Of a
 /// claim that asks for a number no such point is known, since another number may do.
-fn needs_each(outcome: &Outcome) -> bool {
-    outcome.net().is_some_and(|net| {
-        !net.conditions.is_empty() && net.conditions.iter().all(ConditionCheck::seen_needed)
-    })
+fn beyond(outcome: &Outcome) -> &'static str {
+    let conditions = outcome.net().map_or(&[][..], |net| &net.conditions);
+    if conditions.is_empty() || !conditions.iter().all(ConditionCheck::seen_needed) {
+        return "";
+    }
+    let fails = |check: &ConditionCheck| check.failing > 0;
+    match (conditions.iter().all(fails), conditions.iter().any(fails)) {
+        (true, _) => "; elsewhere it can fail",
+        (false, true) => "; elsewhere it can fail or be undefined",
+        (false, false) => "; elsewhere it can be undefined",
+    }
 }
 
 /// The text up to its first full stop that ends a sentence: a blank and a capital letter follow, and no abbreviation goes before.

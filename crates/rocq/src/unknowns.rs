@@ -1,4 +1,4 @@
-//! Unknowns as functions of a symbol, see [`crate::implicit_derivative`].
+//! Unknowns as functions of a symbol, as `implicit_derivative` makes them.
 
 use crate::code::Code;
 use std::sync::Arc;

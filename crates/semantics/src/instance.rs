@@ -64,9 +64,13 @@ impl From<NoValue> for Identity {
 }
 
 /// The smallest instances of a claim: all values of short ranges and the smallest values of unbounded integers, in
-/// different combinations. A claim without integers has one empty instance.
+/// different combinations. A claim without integers has one empty instance; one that asks for numbers has none, since its
+/// equations are identities in no number that it asks for.
 #[must_use]
 pub fn instances(reading: &Reading<'_>) -> Vec<Instance> {
+    if reading.seeks() {
+        return vec![];
+    }
     let mut pending: Vec<(Arc<str>, &SymbolKind)> = reading
         .names()
         .filter_map(|name| Some((Arc::from(name), reading.declarations().symbol(name)?)))

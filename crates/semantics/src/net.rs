@@ -18,6 +18,9 @@ use torse_syntax::formula::{Expr, Node, Relation};
 
 /// The largest depth to which definitions of statements are opened.
 const MAX_OPENED: u32 = 16;
+/// The operations for each wanted point beyond which fewer points are enough, and the number that always has to be judged.
+const POINT_WORK: u64 = 100;
+const MIN_POINTS: u64 = 8;
 /// The number of points that are judged on one thin part of a domain, and the work allowed to find them.
 const POINTS_PER_BRANCH: u64 = 4;
 const BRANCH_WORK: u64 = 10_000;
@@ -48,6 +51,9 @@ pub struct SampleStatistics {
     /// Whether the only point of the domain was judged: linear equations determine all of its numbers, or it has no
     /// numbers. No further points are drawn then.
     pub single: bool,
+    /// Whether the statement was decided at as many points as were wanted: at fewer where each costs much, and at the only
+    /// one of a domain of one point.
+    pub enough: bool,
     /// Whether the budget was spent.
     pub exhausted: bool,
     /// The parts p of `fails(p)` for which no point was found at which p is false.
@@ -110,9 +116,8 @@ fn generic<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> SampleS
         // Exact numbers re-examine what residues find false or cannot decide, unless exact numbers would cost too
         // much as well.
         let tally = walked(&survey.by_residues(), judged, wanted);
-        let enough = tally.holding >= wanted || (tally.single && tally.holding > 0);
         let costly = tally.exhausted || tally.costly >= MAX_COSTLY_POINTS;
-        if tally.failing.is_none() && tally.open == tally.costly && (enough || costly) {
+        if tally.failing.is_none() && tally.open == tally.costly && (tally.enough || costly) {
             return tally;
         }
     }
@@ -208,15 +213,18 @@ fn has_equation(declarations: &Declarations, tree: &Expr, depth: u32) -> bool {
     }
 }
 
-/// Draws points until the statement is decided at `wanted` of them, or false at one.
+/// Draws points until the statement is decided at `wanted` of them, or false at one. Where their values cost
+/// much, two fifths of them are enough.
 fn walked<'a>(survey: &Survey<'a>, judged: &Judged<'a>, wanted: u64) -> SampleStatistics {
     let mut tally = SampleStatistics::default();
     tally.attempts = survey.walk(judged, &mut |seen| {
         tally.count(seen);
         let hopeless = tally.holding == 0 && tally.found >= MAX_POINTS_WITHOUT_VALUE;
         let unseen = matches!(survey.numbers, NumberField::Residues) && tally.open > tally.costly;
-        let enough = tally.single || tally.decided() >= wanted;
-        !(enough || hopeless || unseen || tally.failing.is_some())
+        let costly = survey.statement_work.get() > POINT_WORK * wanted;
+        let few = costly && tally.holding >= MIN_POINTS.max(wanted * 2 / 5);
+        tally.enough = tally.holding >= wanted || few || (tally.single && tally.holding > 0);
+        !(tally.single || tally.enough || hopeless || unseen || tally.failing.is_some())
     });
     tally.exhausted = survey.work.left() == 0;
     if matches!(survey.numbers, NumberField::Residues) {

@@ -12,6 +12,7 @@ use crate::no_value::{Undefined, Work};
 use crate::residue::Residues;
 use crate::residue::domain::{Drawn, drawn};
 use crate::tree::Reading;
+use std::cell::Cell;
 use std::collections::BTreeSet;
 use torse_syntax::formula::{Connective, Expr, Node};
 
@@ -89,6 +90,8 @@ pub(crate) struct Survey<'a> {
     share: u64,
     /// The budget.
     pub work: Work,
+    /// The operations that the statement and its conditions took so far, beside the budget.
+    pub statement_work: Cell<u64>,
     /// One in this many points lies at the edges of the declared sets.
     edges: u64,
     /// Hypotheses that are satisfied before all others.
@@ -115,6 +118,7 @@ impl<'a> Survey<'a> {
             attempts: MIN_ATTEMPTS.max(ATTEMPTS_PER_POINT * wanted),
             share: (budget / wanted.max(1)).saturating_mul(2),
             work: Work::new(budget),
+            statement_work: Cell::new(0),
             edges: EDGES,
             first: None,
             numbers: NumberField::Reals,
@@ -140,6 +144,7 @@ impl<'a> Survey<'a> {
     pub fn by_residues(&self) -> Self {
         Self {
             work: Work::new(self.work.left()),
+            statement_work: Cell::new(0),
             numbers: NumberField::Residues,
             ..*self
         }
@@ -196,10 +201,18 @@ impl<'a> Survey<'a> {
                 }));
             }
         }
-        let (judgement, near) = match self.numbers {
-            NumberField::Reals => self.exactly(judged, &draft, work)?,
-            NumberField::Residues => (self.modulo_prime(judged, &draft, work)?, false),
+        let own = Work::new(STATEMENT_WORK);
+        let judgement = match self.numbers {
+            NumberField::Reals => self.exactly(judged, &draft, work, &own),
+            NumberField::Residues => {
+                let judgement = self.modulo_prime(judged, &draft, work, &own);
+                judgement.map(|judgement| (judgement, false))
+            }
         };
+        let before = self.statement_work.get();
+        self.statement_work
+            .set(before + (STATEMENT_WORK - own.left()));
+        let (judgement, near) = judgement?;
         let Some(judgement) = judgement else {
             return Some(each(Seen::Excepted));
         };
@@ -227,16 +240,16 @@ impl<'a> Survey<'a> {
         judged: &Judged<'a>,
         draft: &Draft<'_>,
         work: &Work,
+        own: &Work,
     ) -> Option<(Option<Judgement>, bool)> {
         let near = completed(self.domain, draft, work)?;
-        let own = Work::new(STATEMENT_WORK);
         let reading = self.domain.reading;
         let judge = Judge {
             reading,
             values: &|name| draft.value(name),
             near,
             fails: &|tree| judged.fails(tree),
-            work: &own,
+            work: own,
         };
         let grounds = judge.evaluators();
         let at = grounds.along(&judge, reading.given(), None);
@@ -257,22 +270,22 @@ impl<'a> Survey<'a> {
         judged: &Judged<'a>,
         draft: &Draft<'a>,
         work: &Work,
+        own: &Work,
     ) -> Option<Option<Judgement>> {
         let point = match drawn(self.domain, draft, work) {
             Drawn::Inside(point) => point,
             Drawn::Outside => return None,
             Drawn::Unknown(why) => return Some(Some(Judgement::Unknown(why))),
         };
-        let own = Work::new(STATEMENT_WORK);
         let reading = self.domain.reading;
         let judge = Judge {
             reading,
             values: &|name| point.number(name),
             near: false,
             fails: &|tree| judged.fails(tree),
-            work: &own,
+            work: own,
         };
-        let (residues, residue) = (Residues { work: &own }, |name: &Name| point.residue(name));
+        let (residues, residue) = (Residues { work: own }, |name: &Name| point.residue(name));
         let grounds = judge.evaluators();
         let at = grounds.along(&judge, reading.given(), Some((&residues, &residue)));
         for condition in &judged.conditions {

@@ -744,3 +744,49 @@ fn papers_that_are_loaded_one_by_one_are_those_that_are_loaded_together() {
             .starts_with(&["later/b.1".to_owned(), "later/b.2".to_owned()])
     );
 }
+
+#[test]
+fn names_of_functions_of_values_are_not_declared_anew() {
+    let folder = Folder::new("functions");
+    folder.head(
+        "['claims.toml']",
+        "[symbols]\nx = {}\nlog = { function = 1 }\nsin = {}\n[define]\n'asin(x)' = 'x'\n'product(x)' = '2*x'\n",
+    );
+    folder.write(
+        "mini/claims.toml",
+        &claim("mini/a", "product(x) == 2*x", ""),
+    );
+    let (ids, told) = told(&folder.load());
+    assert_eq!(ids, ["mini/a"]);
+    let taken = ["log", "asin"].map(|name| {
+        format!("`{name}` is a function of the language and cannot be declared anew: choose another name")
+    });
+    let told: Vec<&str> = told
+        .iter()
+        .filter_map(|one| one.split('|').next())
+        .collect();
+    assert_eq!(told, taken);
+}
+
+#[test]
+fn an_end_of_an_interval_may_have_commas_in_brackets() {
+    let folder = Folder::new("commas");
+    folder.head(
+        "['claims.toml']",
+        "[symbols]\nm = { integer = '>= 0' }\nx = { in = '[sum(i, 0, m, i), max(m, 10)]' }\ny = { in = '[1, 2, 3]' }\n",
+    );
+    folder.write("mini/claims.toml", &claim("mini/a", "x <= x", ""));
+    let loaded = folder.load();
+    let (ids, told) = told(&loaded);
+    assert_eq!(ids, ["mini/a"]);
+    assert_eq!(told.len(), 1, "{told:?}");
+    let SymbolKind::Real(interval) = loaded.papers[0].declarations.symbol("x").unwrap() else {
+        panic!("a number is declared");
+    };
+    let text = |end: &Option<torse_syntax::derivation::declarations::End>| {
+        let formula = &end.as_ref().unwrap().formula;
+        formula.origin.text(formula.expr.place).unwrap().to_owned()
+    };
+    assert_eq!(text(&interval.above), "sum(i, 0, m, i)");
+    assert_eq!(text(&interval.below), "max(m, 10)");
+}

@@ -9,7 +9,8 @@ use std::sync::Arc;
 use torse_syntax::derivation::{Claim, Paper};
 
 /// Returns the claims of `papers` that match one of `names`, or all if there are no names, in file order; our own
-/// figures are included only with their whole paper. A name may match a claim that was left out because it is wrong.
+/// figures are included only with their whole paper. A name may match a claim that was left out because it is wrong, or a
+/// paper all of whose claims were.
 ///
 /// # Errors
 /// [`Error::UnknownName`] for a name without a match.
@@ -20,7 +21,8 @@ pub fn select(
 ) -> Result<Vec<Paper>, Error> {
     for name in names {
         let mut known = ids(&papers).chain(left_out.iter().map(String::as_str));
-        if !known.any(|id| means(name, id)) {
+        let is_paper = papers.iter().any(|paper| paper.head.id == *name);
+        if !is_paper && !known.any(|id| means(name, id)) {
             return Err(unknown(&papers, name));
         }
     }

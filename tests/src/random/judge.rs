@@ -120,7 +120,7 @@ pub fn seconded(claim: &Claim, points: &SampleStatistics) -> bool {
     match claim.truth {
         Truth::Fails(_) => points.failing.is_some(),
         Truth::Vacuous => points.found == 0,
-        Truth::Holds | Truth::Conditional => points.single || points.holding >= POINTS,
+        Truth::Holds | Truth::Conditional => points.enough,
     }
 }
 

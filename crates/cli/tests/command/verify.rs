@@ -125,6 +125,17 @@ fn an_unknown_name_is_a_usage_error_with_the_nearest_known_one() {
 }
 
 #[test]
+fn a_paper_whose_claims_all_have_mistakes_is_known_by_its_name() {
+    let folder =
+        mini("[[claim]]\nid = 'mini/a'\nkind = 'identity'\nprinted = ''\nstates = 'x = x'\n");
+    for command in ["verify", "list", "audit"] {
+        let ran = on(folder.path(), &[command, "mini"]);
+        assert_eq!(ran.code, Some(4), "{command}: {}", ran.err);
+        assert!(ran.err.contains("missing field `at`"), "{}", ran.err);
+    }
+}
+
+#[test]
 fn a_command_line_that_cannot_be_followed_is_a_usage_error() {
     for wrong in [
         &["verify", "--format", "xml"][..],

@@ -382,11 +382,16 @@ fn objection(design: &Design, chain: &Chain, report: &JointReport) -> Option<Str
         Smoothness::C(order) => report.parametric >= Some(order),
     };
     (!reached).then(|| {
+        let fold = match wanted {
+            Smoothness::G1 | Smoothness::C(1) => {
+                format!("; the sheet is folded by {:.6} degrees", report.kink)
+            }
+            _ => String::new(),
+        };
         format!(
-            "the joint of {first} and {second} is {}, {} wanted (the sheet is folded by {:.6} degrees)",
+            "the joint of {first} and {second} is {}, where {} is wanted{fold}",
             report.smoothness(),
             wanted.name(),
-            report.kink
         )
     })
 }

@@ -2,7 +2,7 @@
 
 use super::MarkedPatch;
 use super::shape::{Opening, OpeningShape};
-use crate::chords::{Chord, chords_within, mutual_crossing, nearest_points};
+use crate::chords::{Chord, chords_within, clearance, mutual_crossing};
 use crate::error::DesignError;
 use crate::polygon::is_within;
 use crate::position::position;
@@ -37,7 +37,7 @@ impl MarkedPatch<'_> {
             let place = self.place(at);
             return Err(self.failed(format!("{name} leaves the sheet near {place}")));
         }
-        let (room, at) = nearest_points(own, &outline);
+        let (room, at) = clearance(own, &outline);
         if room > 2.0 * chord + opening.error + self.flat.errors().outline {
             return Ok(());
         }
@@ -80,7 +80,7 @@ impl MarkedPatch<'_> {
         if holds(&theirs, own) || holds(own, &theirs) {
             return Err(self.failed(format!("{name} and {their_name} lie one within the other")));
         }
-        let (room, at) = nearest_points(own, &theirs);
+        let (room, at) = clearance(own, &theirs);
         if room > 2.0 * chord + opening.error + other.error {
             return Ok(());
         }

@@ -1,7 +1,7 @@
 //! Openings beside bends: what is cut too near to a bend line is pulled out of shape when it is bent.
 
 use super::blank::ToolBend;
-use crate::chords::nearest_points;
+use crate::chords::clearance;
 use crate::openings::{Opening, OpeningShape};
 use serde::Serialize;
 use torse_geometry::pattern::Segment;
@@ -67,6 +67,6 @@ pub(crate) fn beside_bends(
 fn distance(shape: &OpeningShape, [from, to]: [[f64; 2]; 2]) -> f64 {
     match shape {
         OpeningShape::Round(centre, radius) => Segment::line(from, to).distance(*centre) - radius,
-        OpeningShape::Contour(_) => nearest_points(&shape.chords(CHORD), &[[from, to]]).0,
+        OpeningShape::Contour(_) => clearance(&shape.chords(CHORD), &[[from, to]]).0,
     }
 }

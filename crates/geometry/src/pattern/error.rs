@@ -43,8 +43,8 @@ pub enum PatternError {
     },
     /// The patch is not developable: flattening it takes more strain than allowed.
     #[error(
-        "not developable: strain {strain:.3e} about x = {x:.6}, where the tangent plane turns by {:.6} degrees, \
-         {limit:e} allowed",
+        "not developable: flattening it takes a strain of up to {strain:.3e}, and {limit:e} is allowed; \
+         near the ruling at parameter {x:.6} the tangent plane turns by up to {:.6} degrees along a ruling",
         twist.to_degrees()
     )]
     NotDevelopable {
@@ -52,9 +52,9 @@ pub enum PatternError {
         strain: f64,
         /// The strain allowed.
         limit: f64,
-        /// The angle between the tangent planes at the ends of the ruling, in radians.
+        /// A bound of the angle between the tangent planes at the ends of a ruling, in radians, on an interval of rulings.
         twist: f64,
-        /// The parameter of the ruling.
+        /// The parameter in the middle of that interval.
         x: f64,
     },
     /// The edge of regression runs inside the patch: it folds back on itself there.

@@ -43,7 +43,11 @@ macro_rules! rails_over {
                 match &self.construction {
                     Construction::Ruled(_) => self.exact,
                     Construction::Part(part) => part.is_developable_by_construction(),
-                    _ => true,
+                    Construction::Cylinder(_)
+                    | Construction::Cone(_)
+                    | Construction::Envelope(_)
+                    | Construction::Tangent(_)
+                    | Construction::Connecting(_) => true,
                 }
             }
 

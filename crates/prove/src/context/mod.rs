@@ -408,24 +408,19 @@ impl<'a> ProofContext<'a> {
             return self.vanishes(&rest.into());
         }
         // A coefficient that vanishes nowhere first: then the equation and its solution say the same.
-        let constant = |(_, coefficient, _): &&(Unknown, Polynomial, Fraction)| {
+        let constant = |(_, coefficient, _): &(Unknown, Polynomial, Fraction)| {
             coefficient.symbols().iter().all(Symbol::is_number)
         };
+        let by_number = candidates.iter().position(constant);
+        let by_sign = || {
+            let mut coefficients = candidates.iter().map(|(_, coefficient, _)| coefficient);
+            coefficients.position(|coefficient| self.branch.never_zero(coefficient))
+        };
+        let settled = by_number.or_else(by_sign);
         let chosen = candidates
-            .iter()
-            .find(constant)
-            .or_else(|| {
-                candidates
-                    .iter()
-                    .find(|(_, c, _)| self.branch.never_zero(c))
-            })
-            .or_else(|| candidates.first())
-            .cloned();
-        let settled = |(_, coefficient, _): &(Unknown, Polynomial, Fraction)| {
-            coefficient.symbols().iter().all(Symbol::is_number)
-                || self.branch.never_zero(coefficient)
-        };
-        let chosen = chosen.filter(|found| self.solving == SolvePolicy::Always || settled(found));
+            .into_iter()
+            .nth(settled.unwrap_or(0))
+            .filter(|_| self.solving == SolvePolicy::Always || settled.is_some());
         let Some((unknown, coefficient, solution)) = chosen else {
             // It determines no symbol rationally; points have to satisfy it all the same.
             self.branch.constrain(value, Relation::Equal);
@@ -438,11 +433,12 @@ impl<'a> ProofContext<'a> {
             .is_some_and(|c| c != Polynomial::zero().leading_coefficient())
             || coefficient.symbols().iter().all(Symbol::is_number)
             || self.branch.domain.assumes_nonzero(&coefficient);
-        let implied = plainly || self.branch.never_zero(&coefficient);
+        let implied = plainly || settled.is_some();
         // Found before the solution is put in: what that makes of the hypotheses says nothing of its divisor.
-        let divisors = match plainly {
-            true => Divisors::default(),
-            false => self.branch.divisor(&coefficient),
+        let divisors = match (plainly, settled) {
+            (true, _) => Divisors::default(),
+            (false, Some(_)) => self.branch.nonzero_divisor(&coefficient),
+            (false, None) => self.branch.divisors(std::slice::from_ref(&coefficient)),
         };
         let solution = [(unknown, solution)];
         let cases = self.branch.solve(&solution, Equation::Assumed(divisors))?;

@@ -11,6 +11,7 @@ use crate::decide::value::Proof;
 use crate::decide::{self, Decision, equality, exponential, instances, witness};
 use crate::divisors::{
     Nonzero, divisors, in_finest_parts, index_ranges, nonzero, open_conditions, unrooted,
+    written_ranges,
 };
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
@@ -297,12 +298,13 @@ impl<'a> Decider<'a> {
                 Ok(whole) => {
                     let mut divisors = divisors(&whole);
                     // Nor does one at which a part of a hypothesis is.
-                    let hypotheses = self.claim.hypotheses.iter();
-                    let assumed = hypotheses.map(|hypothesis| &hypothesis.statement);
-                    for statement in assumed.chain([&self.claim.statement]) {
-                        divisors.extend(self.term_divisors(statement, &ground));
+                    let mut defined = index_ranges(&whole, &self.claim, &ground.branch.evaluator);
+                    for hypothesis in &self.claim.hypotheses {
+                        divisors.extend(self.term_divisors(&hypothesis.statement, &ground));
+                        let evaluator = &ground.branch.evaluator;
+                        defined.extend(written_ranges(&hypothesis.statement, evaluator));
                     }
-                    let defined = index_ranges(&whole, &self.claim, &ground.branch.evaluator);
+                    divisors.extend(self.term_divisors(&self.claim.statement, &ground));
                     if !divisors.is_empty() || !defined.is_empty() {
                         ground.branch.domain.divisors = divisors;
                         ground.branch.domain.defined = defined;

@@ -197,7 +197,7 @@ impl Evaluator<'_> {
         let Some(chosen) = j.as_number() else {
             return Err(Fault::limit(
                 place,
-                format!("the binomial coefficient of {n} over {j}"),
+                format!("the binomial coefficient of {n} over {j}: its lower index is no number"),
             ));
         };
         if chosen < 0 || n.as_number().is_some_and(|n| n >= 0 && chosen > n) {
@@ -206,7 +206,7 @@ impl Evaluator<'_> {
         if chosen > 200 {
             return Err(Fault::limit(
                 place,
-                format!("the binomial coefficient of {n} over {j}"),
+                format!("the binomial coefficient of {n} over {j}: its lower index is above 200"),
             ));
         }
         // n (n - 1) ... (n - j + 1) / j!, also for a symbolic n.

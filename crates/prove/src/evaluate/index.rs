@@ -1,5 +1,6 @@
 //! Indices: members of families and bases, entries of vectors and matrices, integer-affine forms.
 
+use super::own_names::in_words;
 use super::value::{Value, Vector};
 use super::{Environment, Evaluator, Outcome, generic, wrong_type};
 use torse_algebra::{Affine, Fraction, Symbol};
@@ -66,7 +67,7 @@ impl Evaluator<'_> {
                     term.place,
                     Problem::IndexOutside {
                         name: points.name.to_string(),
-                        index: index.to_string(),
+                        index: in_words(&index.to_string()),
                         range: format!("{least}..{most}"),
                     },
                 ));
@@ -116,12 +117,18 @@ impl Evaluator<'_> {
         let value = self.value(head, bound)?;
         let position = |expr: &Term, length: usize, what: &str| -> Outcome<usize> {
             let index = self.index(expr, bound)?;
+            if index.as_number().is_none() {
+                let what = format!(
+                    "an entry at the place {index}, which is no number: state it for each place"
+                );
+                return Err(Fault::limit(expr.place, what));
+            }
             let outside = || {
                 Fault::at(
                     expr.place,
                     Problem::IndexOutside {
                         name: what.to_owned(),
-                        index: index.to_string(),
+                        index: in_words(&index.to_string()),
                         range: format!("1..{length}"),
                     },
                 )

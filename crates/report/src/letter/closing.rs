@@ -1,7 +1,6 @@
 //! How a letter ends: what is true with all corrections made, and how all of it was checked.
 
 use super::restored::restored;
-use crate::glossary::plural;
 use crate::statements::is_refuted;
 use crate::text::visible;
 use std::collections::BTreeSet;
@@ -30,15 +29,16 @@ pub(super) fn closing(
                 .to_owned();
         if proved > 0 {
             text.push_str(&format!(
-                " The proof assistant Rocq also accepted {}; they stand in the folder proofs of torse {}.",
-                match proved == refuted.len() {
-                    true => "proofs of all refutations".to_owned(),
-                    false => format!(
-                        "proofs of {proved} of the {}",
-                        plural(refuted.len(), "refutation")
-                    ),
+                " {} false as printed; the proof assistant Rocq also accepted proofs of this for {}.",
+                match refuted.len() {
+                    1 => "One statement is".to_owned(),
+                    n => format!("{n} statements, of which several may belong to one correction, are"),
                 },
-                env!("CARGO_PKG_VERSION"),
+                match (proved == refuted.len(), proved) {
+                    (true, 1) => "it".to_owned(),
+                    (true, _) => "all of them".to_owned(),
+                    (false, proved) => format!("{proved} of them"),
+                },
             ));
         }
         list.push(text);
@@ -48,7 +48,7 @@ pub(super) fn closing(
             "The command “torse report {}” writes a page with every statement, its verdict and its proof.",
             visible(&paper.slug)
         ),
-        false => "A report with every statement of the paper, its verdict and its proof will be sent on request.".to_owned(),
+        false => "A report with every statement of the paper, its verdict and its proof, also for Rocq, will be sent on request.".to_owned(),
     });
     list
 }

@@ -223,8 +223,7 @@ pub fn is_caught(fields: &str, states: &str) {
 pub fn stands(fields: &str, states: &str) {
     let tally = netted(&claim(fields, states));
     assert!(tally.failing.is_none(), "{states} with {fields}: {tally:?}");
-    let enough = tally.holding >= 20 || (tally.single && tally.holding > 0);
-    assert!(enough, "{states} with {fields}: {tally:?}");
+    assert!(tally.enough, "{states} with {fields}: {tally:?}");
 }
 
 /// A denial that no point of the domain shows to be true.

@@ -8,6 +8,7 @@ use super::source::whole;
 use super::table::Errors;
 use crate::derivation::schema::{BasisEntry, Dimension, SymbolEntry};
 use crate::derivation::{DerivationError, LoadError, Origin, Source, Written, written};
+use crate::formula::functions::is_function;
 use crate::formula::{Expr, Place, is_name, parse};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -556,6 +557,13 @@ fn basis(source: &Arc<Source>, name: &str, entry: &BasisEntry) -> Result<Basis, 
     })
 }
 
+/// The message about a definition or smooth function with the name of a function of the language.
+pub(super) fn taken(name: &str) -> String {
+    format!(
+        "`{name}` is a function of the language and cannot be declared anew: choose another name"
+    )
+}
+
 /// Reads the dimension of the values of a smooth function; no other field is allowed.
 fn smooth(
     source: &Arc<Source>,
@@ -565,6 +573,9 @@ fn smooth(
 ) -> Result<Option<u8>, LoadError> {
     let origin = Origin::range(source, values.span().start, values.span().end);
     check_name(&origin, name)?;
+    if is_function(name) {
+        return Err(complaint(&origin, taken(name)));
+    }
     if name.ends_with('\'') {
         let message = format!(
             "`{name}` is the derivative of another function: a name without primes is needed"

@@ -1,10 +1,11 @@
 //! Definitions of a derivation file.
 
-use super::declarations::{Declarations, Definition};
+use super::declarations::{Declarations, Definition, taken};
 use super::error::{DerivationError, LoadError};
 use super::source::{Origin, Source};
 use super::table::Errors;
 use super::written::written;
+use crate::formula::functions::is_function_of_values;
 use crate::formula::{Expr, Node, Place, is_name, parse};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -55,6 +56,9 @@ fn definition(
         let message = format!("`{head}` is neither a name nor a head such as `F(z, mu)` or `Q[i]`");
         return Err(wrong(&body.origin, message));
     };
+    if is_function_of_values(&name) {
+        return Err(wrong(&body.origin, taken(&name)));
+    }
     let distinct: BTreeSet<&String> = parameters.iter().collect();
     if distinct.len() != parameters.len() {
         let message = format!("`{head}` has two parameters of the same name");

@@ -177,8 +177,23 @@ fn parts(text: &str) -> Option<([&str; 2], [bool; 2], usize)> {
         _ => return None,
     };
     let ends = inside.get(1..inside.len().checked_sub(1)?)?;
-    let (low, high) = ends.split_once(',')?;
+    let (low, high) = ends.split_at(outer_comma(ends)?);
+    let high = high.strip_prefix(',')?;
     Some(([low, high], [left, right], before + 1))
+}
+
+/// The offset of the first comma that is outside of all brackets: `max(a, b)` is one end.
+fn outer_comma(ends: &str) -> Option<usize> {
+    let mut depth = 0_usize;
+    for (at, c) in ends.char_indices() {
+        match c {
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth = depth.checked_sub(1)?,
+            ',' if depth == 0 => return Some(at),
+            _ => {}
+        }
+    }
+    None
 }
 
 /// The kinds of bounds.

@@ -45,6 +45,33 @@ pub const ELEMENTARY: [&str; 12] = [
     "sqrt", "sin", "cos", "tan", "exp", "log", "atan", "asin", "acos", "sinh", "cosh", "tanh",
 ];
 
+/// Those that are no functions of values: they bind an index or a variable, or make a statement.
+pub const FORMS: [&str; 10] = [
+    "sum",
+    "product",
+    "integral",
+    "D",
+    "at",
+    "agrees",
+    "fails",
+    "nonnegative",
+    "independent",
+    "variation_diminishing",
+];
+
+/// Whether a name is that of a function of values, such as `asin`. No definition has such a name, since torse names values by
+/// them: `asin(x)` is the arc sine of x in every paper.
+///
+/// ```
+/// use torse_syntax::formula::functions::is_function_of_values;
+/// assert!(is_function_of_values("asin"));
+/// assert!(!is_function_of_values("product") && !is_function_of_values("f"));
+/// ```
+#[must_use]
+pub fn is_function_of_values(name: &str) -> bool {
+    is_function(name) && !FORMS.contains(&name)
+}
+
 /// Whether a name is that of a function of the language.
 #[must_use]
 pub fn is_function(name: &str) -> bool {

@@ -33,7 +33,7 @@ use crate::outcome::Outcome;
 use crate::statement::{Contradiction, EmptyDomain, ProvedStatement, RefutedStatement};
 use crate::{condition, provenance, replay};
 use std::sync::Arc;
-use torse_algebra::rational::integer;
+
 use torse_algebra::work::{self, Allowance};
 use torse_core as core;
 use torse_prove::{self as prove, a_point_of};
@@ -43,7 +43,7 @@ use torse_semantics::{
     judge_samples, judge_violations,
 };
 use torse_syntax::derivation::{Claim, Written};
-use torse_syntax::formula::{Connective, Expr, Node, Relation};
+use torse_syntax::formula::{Connective, Expr, Node};
 use torse_syntax::notation::{self, Formula};
 use torse_syntax::taxonomy::Verdict;
 
@@ -63,8 +63,8 @@ pub struct Effort {
 }
 
 /// The work that one proof that a thin part of a domain is empty may take, and all of one statement.
-const EMPTINESS_WORK: u64 = 5_000_000;
-const ALL_EMPTINESS_WORK: u64 = 50_000_000;
+const EMPTINESS_WORK: u64 = 3_000_000;
+const ALL_EMPTINESS_WORK: u64 = 15_000_000;
 
 /// What every verdict has to pass before it is shown.
 pub const DEFAULT_EFFORT: Effort = Effort {
@@ -291,9 +291,8 @@ impl<'a> JudgedStatement<'a> {
             .zip(&read)
             .map(|(formula, condition)| self.sides(formula, condition))
             .collect();
-        let enough = tally.holding >= self.effort.points || (tally.single && tally.holding > 0);
         let unneeded = conditions.iter().find(|sides| !sides.seen_needed());
-        let why = match (enough, unneeded) {
+        let why = match (tally.enough, unneeded) {
             (false, _) => Some(why_few(&tally)),
             (true, _) if useless.is_some() => useless,
             (true, Some(sides)) => Some(format!(
@@ -360,33 +359,13 @@ impl<'a> JudgedStatement<'a> {
     /// left out.
     fn unvisited(&self, tally: &SampleStatistics) -> Vec<String> {
         let mut allowance = Allowance::new(EMPTINESS_WORK, ALL_EMPTINESS_WORK);
+        let mut is_empty = |inside: &Expr| {
+            let denial = Expr::made(Node::Not(Arc::new(inside.clone())));
+            allowance.within(|| self.is_replayed(&denial)) == Ok(Some(true))
+        };
         let parts = tally.unvisited.iter();
-        let open = parts.filter(|inside| !self.is_proved_nowhere_true(inside, &mut allowance));
+        let open = parts.filter(|inside| !is_empty(inside));
         open.map(notation::text).collect()
-    }
-
-    /// Whether the checker accepts a proof that a statement is true at no point of the domain: of its denial, of an order
-    /// where it is an equation, or of a contradiction under it.
-    fn is_proved_nowhere_true(&self, inside: &Expr, allowance: &mut Allowance) -> bool {
-        let (zero, one) = (Expr::number(&integer(0)), Expr::number(&integer(1)));
-        let absurd = Expr::made(Node::Compare(Arc::new(zero), vec![(Relation::Equal, one)]));
-        let (premise, absurd) = (Arc::new(inside.clone()), Arc::new(absurd));
-        let mut denials = vec![
-            Expr::made(Node::Not(Arc::clone(&premise))),
-            Expr::made(Node::Join(Connective::Implies, premise, absurd)),
-        ];
-        if let Node::Compare(left, rest) = &inside.node
-            && let [(Relation::Equal, right)] = rest.as_slice()
-        {
-            let ordered = [Relation::Greater, Relation::Less].map(|relation| {
-                Expr::made(Node::Compare(left.clone(), vec![(relation, right.clone())]))
-            });
-            denials.extend(ordered);
-        }
-        denials.iter().any(|denial| {
-            let replayed = allowance.within(|| self.is_replayed(denial));
-            replayed == Ok(Some(true))
-        })
     }
 
     /// Returns whether the checker accepts an unconditional proof of a statement about the same domain.

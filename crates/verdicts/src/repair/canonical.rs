@@ -2,8 +2,8 @@
 //! terms, and in where a sign stands.
 
 use std::sync::Arc;
-use torse_algebra::Rational;
 use torse_algebra::rational::integer;
+use torse_algebra::{Polynomial, Rational};
 use torse_syntax::formula::{Expr, Node, Operator};
 
 /// Maximum exponent that is written out.
@@ -67,6 +67,14 @@ fn collect_factors(expr: &Expr, inverted: bool, number: &mut Rational, into: &mu
                 &*number * value
             };
         }
+        Node::Call(head, arguments) if root_of_number(head, arguments).is_some() => {
+            let root = root_of_number(head, arguments).unwrap_or_else(|| integer(1));
+            *number = if inverted {
+                &*number / &root
+            } else {
+                &*number * &root
+            };
+        }
         Node::Binary(Operator::Add | Operator::Subtract, ..) => {
             // The sign of a sum that is a factor is pulled out, so that a - b and -(b - a) agree.
             let text = canonical(expr);
@@ -98,6 +106,19 @@ fn collect_factors(expr: &Expr, inverted: bool, number: &mut Rational, into: &mu
             into.push(format!("{mark}{}<{}>", kind(&expr.node), parts.join(";")));
         }
     }
+}
+
+/// The rational number that `sqrt` of a positive number is, if it is one.
+fn root_of_number(head: &Expr, arguments: &[Expr]) -> Option<Rational> {
+    let [argument] = arguments else { return None };
+    let (Node::Name(name), Node::Number { value, .. }) = (&head.node, &argument.node) else {
+        return None;
+    };
+    if name != "sqrt" {
+        return None;
+    }
+    let root = Polynomial::square_root(value).ok()?.as_constant()?;
+    (!num_traits::Zero::is_zero(&root)).then_some(root)
 }
 
 /// A small whole exponent.
@@ -134,5 +155,8 @@ mod tests {
         assert!(same("w^2*a", "a*w*w"));
         assert!(!same("w^2*a", "w*a"));
         assert!(!same("a/w^2", "a/w"));
+        assert!(same("a*sqrt(4)/sqrt(1/4)", "4*a"));
+        assert!(same("a*sqrt(1)", "a"));
+        assert!(!same("a*sqrt(2)", "a"));
     }
 }

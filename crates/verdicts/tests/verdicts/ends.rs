@@ -25,7 +25,7 @@ s = { in = "(0, 2*c)" }
 u = { in = "[0, s)" }
 "#;
 
-/// The same sets, said by assumptions.
+/// The same symbols without the ends that are formulas; the cases assume these.
 const FREE: &str = r#"
 [symbols]
 x = {}

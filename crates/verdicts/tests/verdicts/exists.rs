@@ -6,6 +6,7 @@ use torse_numbers::fault_injection::{InjectedFault, with};
 use torse_syntax::taxonomy::Verdict::{Conditional, False, Holds, Undecided};
 use torse_verdicts::engine::decide_claim;
 use torse_verdicts::outcome::Outcome;
+use torse_verdicts::recheck::{Recheck, claim as recheck};
 use torse_verdicts::words;
 
 const SHARED: &str = r#"
@@ -416,5 +417,21 @@ fn of_a_number_that_the_file_gives_nothing_says_that_a_condition_is_needed() {
         let is_needed = |own: &torse_verdicts::judged::ConditionCheck| own.seen_needed();
         assert!(!net.conditions.iter().any(is_needed), "{exists} {states}");
         assert!(net.why.as_ref().unwrap().contains("another witness may do"));
+    }
+}
+
+#[test]
+fn numbers_that_there_are_are_not_contradicted_at_small_integers() {
+    for (exists, states) in [
+        ("['r', 's']", "r + s == a and r - s == b"),
+        ("['r']", "2*r == a + m"),
+    ] {
+        let lines = format!("exists = {exists}\nstates = '{states}'");
+        let paper = common::paper("there", SHARED, &[&lines]);
+        let claim = &paper.claims[0];
+        let found = decide_claim(&paper.head.id, claim).unwrap();
+        assert_eq!(found.verdict(), Holds, "{states}");
+        let again = recheck(claim, &found);
+        assert!(matches!(again, Recheck::Netted(_)), "{states}: {again:?}");
     }
 }

@@ -277,7 +277,7 @@ fn variation_diminution_is_proved_degree_by_degree_for_one_function_of_a_paramet
         "{proved:?}"
     );
     assert!(proved.replay().unwrap().replayed);
-    assert!(proved.net().unwrap().decided >= 20);
+    assert!(proved.net().unwrap().decided >= 8);
     // A line that the curve crosses twice and its polygon once; no degree that is not spoken of refutes.
     let refuted = outcome("hump", "states = 'variation_diminishing(hump, 1, 2)'");
     assert_eq!(refuted.verdict(), Verdict::False, "{refuted:?}");

@@ -19,7 +19,10 @@ fn on_arc(sheet: &Sheet, x: f64) -> Option<[f64; 2]> {
             let [from, to] = part.range();
             on_arc(part.whole(), from + (to - from) * x)
         }
-        _ => None,
+        Construction::Cylinder(_)
+        | Construction::Cone(_)
+        | Construction::Envelope(_)
+        | Construction::Tangent(_) => None,
     }
 }
 
@@ -36,6 +39,12 @@ pub(super) fn modelled(sheet: &Sheet<Model>, piece: &PanelPiece, x: &Model) -> O
             let [from, to] = part.range();
             modelled(part.whole(), piece, &(*from + (*to - *from) * *x))
         }
-        (PanelKind::Arc, _) => None,
+        (
+            PanelKind::Arc,
+            Construction::Cylinder(_)
+            | Construction::Cone(_)
+            | Construction::Envelope(_)
+            | Construction::Tangent(_),
+        ) => None,
     }
 }

@@ -241,15 +241,11 @@ impl<'a> Branch<'a> {
         }
     }
 
-    /// A divisor of a solution, as a whole where that vanishes nowhere.
+    /// A divisor of a solution that is known to vanish nowhere.
     #[must_use]
-    pub fn divisor(&self, divisor: &Polynomial) -> Divisors {
-        let whole = std::slice::from_ref(divisor);
-        if !self.never_zero(divisor) {
-            return self.divisors(whole);
-        }
+    pub fn nonzero_divisor(&self, divisor: &Polynomial) -> Divisors {
         Divisors {
-            nonzero: self.signed(whole),
+            nonzero: self.signed(std::slice::from_ref(divisor)),
             open: vec![],
         }
     }

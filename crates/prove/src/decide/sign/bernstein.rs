@@ -174,6 +174,27 @@ impl Spread {
         }
     }
 
+    /// How the value at a corner of the region compares with zero, where the unbounded coordinates that may be zero are;
+    /// `None` if that depends on the others. The corner is at the upper ends of the sides for which `upper` is true.
+    pub fn order_at_corner(&self, upper: &[bool], coordinates: &Coordinates) -> Option<Ordering> {
+        let sides = self.degrees.iter().zip(upper);
+        let place = sides.fold(0, |place, (degree, upper)| {
+            place * (degree + 1) + if *upper { *degree } else { 0 }
+        });
+        let mut order = Ordering::Equal;
+        for parts in self.parts.chunk_by(|a, b| a.ray == b.ray) {
+            let own = match parts.first() {
+                Some(part) if coordinates.excludes_zero(&part.ray) => number_sign(parts, place)?,
+                _ => continue,
+            };
+            if order == own.reverse() && own != Ordering::Equal {
+                return None;
+            }
+            order = order.then(own);
+        }
+        Some(order)
+    }
+
     /// Whether the coefficient at this place is the value at a corner.
     fn is_corner(&self, mut place: usize) -> bool {
         self.degrees.iter().rev().all(|degree| {

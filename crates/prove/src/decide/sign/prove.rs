@@ -9,6 +9,7 @@ use super::squares::squares;
 use crate::decide::domain::Domain;
 use crate::decide::order::truth;
 use crate::formula::factors;
+use std::cmp::Ordering;
 use torse_algebra::fault_injection::{InjectedFault, injected};
 use torse_algebra::rational::integer;
 use torse_algebra::{Polynomial, Rational, Symbol};
@@ -24,6 +25,8 @@ const MAX_BOXES: usize = 200;
 const MAX_CUT_BOXES: usize = 1_000;
 /// How often a box is halved in one direction of the search: what is not seen on boxes this small is not seen.
 const MAX_DEPTH: u32 = 48;
+/// The most sides of a box whose corners are examined.
+const MAX_CORNER_SIDES: usize = 8;
 /// The most multiples of one assumption that are tried.
 const MAX_MULTIPLES: usize = 6;
 
@@ -342,9 +345,11 @@ fn direct(
         pieces: vec![],
     };
     let budget = if cut { MAX_CUT_BOXES } else { MAX_BOXES };
-    let mut found = search.whole(budget, STRICT_DEPTH)?;
+    let may_be_strict = !search.vanishes_at_corner();
+    let mut found = search.whole(budget, if may_be_strict { STRICT_DEPTH } else { 0 })?;
     // Where an assumption cuts the box, a zero may lie on the wrong side of the cut.
     if cut
+        && may_be_strict
         && !found.0
         && let Some(again) = search.whole(budget, STRICT_CUT_DEPTH)
         && again.0
@@ -426,6 +431,34 @@ struct Search {
 }
 
 impl Search {
+    /// Whether the target is zero at a corner of the box that no assumption excludes: then no parts show it positive.
+    fn vanishes_at_corner(&self) -> bool {
+        let Place {
+            region,
+            target,
+            limits,
+        } = &self.place;
+        let ends = self.coordinates.closed_ends(region);
+        if ends.len() > MAX_CORNER_SIDES {
+            return false;
+        }
+        (0..1_usize << ends.len()).any(|corner| {
+            let upper: Vec<bool> = (0..ends.len())
+                .map(|side| corner >> side & 1 == 1)
+                .collect();
+            let closed =
+                |(upper, (low, high)): (&bool, &(bool, bool))| *if *upper { high } else { low };
+            let order = |spread: &Spread| spread.order_at_corner(&upper, &self.coordinates);
+            upper.iter().zip(&ends).all(closed)
+                && order(target) == Some(Ordering::Equal)
+                && limits.iter().all(|limit| match order(&limit.negative) {
+                    Some(Ordering::Less) => true,
+                    Some(Ordering::Equal) => !limit.strict,
+                    Some(Ordering::Greater) | None => false,
+                })
+        })
+    }
+
     /// The sign on the whole box, with the pieces that show it.
     fn whole(&mut self, budget: usize, strict_depth: u32) -> Option<(bool, Vec<Piece>)> {
         self.budget = budget;

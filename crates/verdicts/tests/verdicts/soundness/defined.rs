@@ -2,6 +2,7 @@
 
 use super::adversary::found;
 use torse_syntax::taxonomy::Verdict::{Conditional, False, Holds, Misprint, Undecided};
+use torse_verdicts::Finding;
 
 #[test]
 fn a_root_is_positive_where_its_radicand_is_whatever_its_factors_are() {
@@ -135,4 +136,23 @@ fn a_sum_that_hypotheses_keep_from_zero_divides() {
         );
         found(numbers, &lines, &[verdict]);
     }
+}
+
+#[test]
+fn no_counterexample_has_a_hypothesis_with_an_index_outside_of_its_range() {
+    let members = "[symbols]\nm = { integer = '>= 0' }\nx = {}\nP = { family = 1, indices = ['0..m'] }\n\
+                   b = { in = '[P[1], 3]' }\n";
+    for lines in [
+        "states = 'P[1] == 1 implies m >= 1'",
+        "assume = ['P[1] <= 3']\nstates = 'm >= 1'",
+        "given = ['x == P[1]']\nsolve_for = ['x']\nstates = 'm >= 1'",
+        "states = 'b == b and m >= 1'",
+    ] {
+        let outcome = found(members, lines, &[Holds, Undecided]);
+        let contradicted = matches!(outcome.finding, Finding::Contradicted(_));
+        assert!(!contradicted, "{lines}: {outcome:#?}");
+    }
+    // With an index that is in its range everywhere there is one.
+    let lines = "assume = ['P[0] <= 3']\nstates = 'm >= 1'";
+    found(members, lines, &[False]);
 }
