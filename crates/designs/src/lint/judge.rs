@@ -8,7 +8,7 @@ use super::trace::{Traced, traced};
 use super::{RuleFault, RuleOutcome, RuleRow};
 use crate::numbers::number;
 use crate::polygon::distance;
-use torse_exchange::{Imported, UnitSource};
+use torse_exchange::{FileKind, Imported, UnitSource};
 use torse_geometry::GeometryError;
 use torse_geometry::pattern::Segment;
 
@@ -122,7 +122,7 @@ impl<'d> Judge<'d> {
                     .into_iter()
                     .map(|finding| RuleFault {
                         check: rule.check,
-                        at: finding.at,
+                        at: finding.at.map(|at| self.in_file(at)),
                         place: finding.place,
                         reason: finding.reason,
                         measured: finding.measured,
@@ -132,6 +132,14 @@ impl<'d> Judge<'d> {
             );
         }
         (rows, faults)
+    }
+
+    /// Returns a point as the file counts: y goes down in SVG, and up in the drawing that is made of it.
+    fn in_file(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        match self.found.kind {
+            FileKind::Svg => [x, 0.0 - y],
+            _ => [x, y],
+        }
     }
 
     /// Returns what breaks a rule; nothing where it cannot be judged.

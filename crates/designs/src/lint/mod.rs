@@ -35,7 +35,7 @@ pub struct LintDemand {
 pub struct RuleFault {
     /// The check.
     pub check: Check,
-    /// The point in millimetres, where there is one.
+    /// The point in millimetres, where there is one; y goes down in SVG, as the file has it.
     pub at: Option<[f64; 2]>,
     /// The line and entity of the file, where there is one.
     pub place: Option<String>,
