@@ -682,3 +682,20 @@ fn a_neck_of_one_contour_is_too_narrow_a_web_and_corners_and_slits_are_no_necks(
         "{fault:?}"
     );
 }
+
+#[test]
+fn places_of_an_svg_are_those_of_the_file_where_y_goes_down() {
+    let text = "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' viewBox='0 0 100 100'>\
+                <rect x='10' y='10' width='80' height='80' fill='none' stroke='black'/>\
+                <path d='M30,40 L30.5,40 L30.5,40.5 L30,40.5' fill='none' stroke='black'/></svg>";
+    let report = judged("open.svg", text);
+    let mut faults = report
+        .faults
+        .iter()
+        .filter(|fault| fault.check == Check::Closed);
+    let at = faults.next().expect("the path is open").at.unwrap();
+    assert!(
+        (at[0] - 30.0).abs() < 1e-6 && (at[1] - 40.25).abs() < 0.3,
+        "{at:?}"
+    );
+}
