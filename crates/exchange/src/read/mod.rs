@@ -32,6 +32,7 @@ mod imported;
 pub(crate) mod kind;
 mod obj;
 mod obj_lines;
+mod open_conic;
 mod polygon;
 mod step;
 mod stl;

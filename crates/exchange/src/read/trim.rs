@@ -1,6 +1,7 @@
 //! Parts of curves between two places: what edges, trimmed curves and arcs of files are.
 
 use super::CurveShape;
+use super::open_conic::OpenConic;
 use torse_algebra::Rational;
 use torse_geometry::curve::{EllipticHelix, Spline};
 use torse_geometry::vector::{dot, norm, scale, sub};
@@ -18,6 +19,11 @@ pub(super) enum Base {
     Conic {
         axes: [[f64; 3]; 3],
         radii: [f64; 2],
+    },
+    /// A hyperbola or a parabola: centre or vertex, and directions of the axes.
+    Open {
+        axes: [[f64; 3]; 3],
+        conic: OpenConic,
     },
     /// A curve with ends.
     Curve(CurveShape),
@@ -51,6 +57,17 @@ pub(super) fn between(
             CurveShape::line(from, to)
         }
         Base::Conic { axes, radii } => conic(&axes, radii, ends, forward),
+        // From one end to the other there is one way, whatever the direction of the curve.
+        Base::Open { axes, conic } => {
+            let parameter = |trim: &Trim| match trim {
+                Trim::Point(point) => {
+                    conic.parameter(&axes, &point.each_ref().map(Coordinate::approximate))
+                }
+                Trim::Parameter(u) => Ok(u.approximate()),
+            };
+            let [from, to] = ends.each_ref().map(parameter);
+            conic.arc(&axes, [from?, to?])
+        }
         Base::Curve(CurveShape::Spline(spline)) => {
             if forward {
                 return part(&spline, ends).map(CurveShape::Spline);

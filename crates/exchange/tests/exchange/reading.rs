@@ -763,6 +763,88 @@ RATIONAL_B_SPLINE_CURVE((1.,1.,2.)) REPRESENTATION_ITEM('quarter'));
     );
 }
 
+/// A hyperbola and a parabola in a file with angles in degrees: what is a parameter of a hyperbola or a parabola is no angle.
+fn open_conics(items: &str, more: &str) -> String {
+    step(&format!(
+        "#1=SHAPE_REPRESENTATION('',({items}),#2);
+#2=(GEOMETRIC_REPRESENTATION_CONTEXT(3) GLOBAL_UNIT_ASSIGNED_CONTEXT((#3,#6)) REPRESENTATION_CONTEXT('',''));
+#3=(LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.));
+#6=(CONVERSION_BASED_UNIT('DEGREE',#8) NAMED_UNIT(#7) PLANE_ANGLE_UNIT());
+#7=DIMENSIONAL_EXPONENTS(0.,0.,0.,0.,0.,0.,0.);
+#8=PLANE_ANGLE_MEASURE_WITH_UNIT(PLANE_ANGLE_MEASURE(0.0174532925199433),#9);
+#9=(NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.));
+#10=HYPERBOLA('',#12,3.,2.);
+#11=PARABOLA('',#12,1.5);
+#12=AXIS2_PLACEMENT_3D('',#13,#14,#15);
+#13=CARTESIAN_POINT('',(1.,2.,3.));
+#14=DIRECTION('',(1.,0.,0.));
+#15=DIRECTION('',(0.,0.6,0.8));
+{more}"
+    ))
+}
+
+#[test]
+fn step_hyperbolas_and_parabolas_between_their_ends_are_exact() {
+    let found = text(
+        "t.step",
+        &open_conics(
+            "#20",
+            "#20=GEOMETRIC_CURVE_SET('',(#21,#22));
+#21=TRIMMED_CURVE('bow',#10,(PARAMETER_VALUE(-0.5)),(PARAMETER_VALUE(1.5)),.T.,.PARAMETER.);
+#22=TRIMMED_CURVE('dish',#11,(PARAMETER_VALUE(2.)),(PARAMETER_VALUE(-1.)),.F.,.PARAMETER.);
+",
+        ),
+    )
+    .unwrap();
+    let names: Vec<&str> = found.curve_names().collect();
+    assert_eq!(names, ["bow", "dish"]);
+    // Along the axes, from (1, 2, 3).
+    let flat = |point: [f64; 3]| {
+        let [x, y, z] = sub(&point, &[1.0, 2.0, 3.0]);
+        assert!(x.abs() < 1e-12);
+        [0.6 * y + 0.8 * z, 0.6 * z - 0.8 * y]
+    };
+    let near = |[a, b]: [f64; 2], [c, d]: [f64; 2]| {
+        assert!(
+            (a - c).abs() < 1e-12 && (b - d).abs() < 1e-12,
+            "{a} {b} {c} {d}"
+        );
+    };
+    let bow = found.curves[0].shape.rail().unwrap();
+    let at = |u: f64| [3.0 * u.cosh(), 2.0 * u.sinh()];
+    near(flat(bow.point(0.0).unwrap()), at(-0.5));
+    near(flat(bow.point(0.5).unwrap()), at(0.5));
+    near(flat(bow.point(1.0).unwrap()), at(1.5));
+    let dish = found.curves[1].shape.rail().unwrap();
+    near(flat(dish.point(0.0).unwrap()), [6.0, 6.0]);
+    near(flat(dish.point(1.0).unwrap()), [1.5, -3.0]);
+    for k in 0..=10 {
+        let [x, y] = flat(bow.point(f64::from(k) / 10.0).unwrap());
+        assert!((x * x / 9.0 - y * y / 4.0 - 1.0).abs() < 1e-12);
+        let [x, y] = flat(dish.point(f64::from(k) / 10.0).unwrap());
+        assert!((y * y - 6.0 * x).abs() < 1e-12);
+    }
+    // The length of a parabola: f (u sqrt(1 + u^2) + arsinh(u)) between its ends.
+    let along = |u: f64| 1.5 * (u * (1.0 + u * u).sqrt() + u.asinh());
+    let length = dish.length(1e-10).unwrap();
+    assert!((length - along(2.0) + along(-1.0)).abs() < 1e-8, "{length}");
+}
+
+#[test]
+fn step_hyperbolas_without_ends_are_passed_over_and_those_of_the_other_branch_refused() {
+    let whole = open_conics("#20", "#20=GEOMETRIC_CURVE_SET('',(#10,#11));\n");
+    let error = text("t.step", &whole).unwrap_err().to_string();
+    assert!(error.contains("1 HYPERBOLA, 1 PARABOLA"), "{error}");
+    let other = open_conics(
+        "#20",
+        "#20=TRIMMED_CURVE('',#10,(#21),(PARAMETER_VALUE(1.)),.T.,.CARTESIAN.);
+#21=CARTESIAN_POINT('',(1.,0.2,0.6));
+",
+    );
+    let error = text("t.step", &other).unwrap_err().to_string();
+    assert!(error.contains("along its first axis = -3"), "{error}");
+}
+
 #[test]
 fn step_that_cannot_be_read_is_refused_with_line_and_entity() {
     let context = "#1=SHAPE_REPRESENTATION('',(#10),#2);

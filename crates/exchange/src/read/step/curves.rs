@@ -4,6 +4,7 @@ use super::part21::{Instance, Value};
 use super::values::{Axes, Resolver, exact, knots, list, number, positive, truth, whole};
 use crate::read::CurveShape;
 use crate::read::error::{ReadError, ReadResult, at, refused};
+use crate::read::open_conic::OpenConic;
 use crate::read::trim::{Base, Trim, between, whole_conic};
 use torse_algebra::Rational;
 use torse_algebra::rational::integer;
@@ -20,19 +21,20 @@ pub(super) struct Curves<'t, 'd, 'r> {
 }
 
 impl<'t, 'd> Curves<'t, 'd, '_> {
-    /// The curve as a whole; nothing for a kind that is not read.
+    /// The curve as a whole; nothing for a kind that is not read, and for a hyperbola or a parabola without ends.
     ///
     /// A line without ends is that of its vector.
     pub(super) fn whole(&self, instance: &'d Instance<'t>) -> ReadResult<Option<CurveShape>> {
         let Some(base) = self.base(instance, 0)? else {
             return Ok(None);
         };
-        self.bounded(instance, base).map(Some)
+        self.bounded(instance, base)
     }
 
-    fn bounded(&self, instance: &Instance<'t>, base: Base) -> ReadResult<CurveShape> {
+    fn bounded(&self, instance: &Instance<'t>, base: Base) -> ReadResult<Option<CurveShape>> {
         let made = match base {
-            Base::Curve(shape) => return Ok(shape),
+            Base::Curve(shape) => return Ok(Some(shape)),
+            Base::Open { .. } => return Ok(None),
             Base::Conic { axes, radii } => whole_conic(&axes, radii),
             Base::Line { point, direction } => {
                 let to =
@@ -40,7 +42,7 @@ impl<'t, 'd> Curves<'t, 'd, '_> {
                 CurveShape::line(point, to)
             }
         };
-        made.map_err(refused(&instance.place()))
+        made.map(Some).map_err(refused(&instance.place()))
     }
 
     /// The curve of an edge, from its first vertex to its second.
@@ -103,6 +105,21 @@ impl<'t, 'd> Curves<'t, 'd, '_> {
                     positive(instance, values.get(3), "a radius")?,
                 ],
             },
+            "HYPERBOLA" => Base::Open {
+                axes: resolver.axes(instance, values.get(1))?.triple(),
+                conic: OpenConic::Hyperbola([
+                    positive(instance, values.get(2), "a half axis")?,
+                    positive(instance, values.get(3), "a half axis")?,
+                ]),
+            },
+            "PARABOLA" => Base::Open {
+                axes: resolver.axes(instance, values.get(1))?.triple(),
+                conic: OpenConic::Parabola(positive(
+                    instance,
+                    values.get(2),
+                    "a distance of the focus",
+                )?),
+            },
             "POLYLINE" => {
                 let mut points = resolver.points(instance, values.get(1))?;
                 points.dedup();
@@ -129,7 +146,9 @@ impl<'t, 'd> Curves<'t, 'd, '_> {
                     let Some(base) = self.base(parent, depth + 1)? else {
                         return Ok(None);
                     };
-                    let shape = self.bounded(parent, base)?;
+                    let Some(shape) = self.bounded(parent, base)? else {
+                        return Ok(None);
+                    };
                     row.push(if truth(values.get(1)) {
                         shape
                     } else {
@@ -163,6 +182,7 @@ impl<'t, 'd> Curves<'t, 'd, '_> {
             (_, Some(point), Base::Line { .. }) | (None, Some(point), _) => {
                 self.resolver.point(instance, Some(point)).map(Trim::Point)
             }
+            // That of a hyperbola or a parabola is no angle.
             (Some(parameter), _, Base::Conic { .. }) => {
                 let angle = number(instance, Some(parameter))? * self.angle;
                 Ok(Trim::Parameter(torse_geometry::exact(angle)))
