@@ -3,8 +3,11 @@
 //! Read are arcs (100), composite curves (102), linear paths (106), planes (108), lines (110), ruled surfaces (118),
 //! surfaces of revolution (120), tabulated cylinders (122), B-spline curves and surfaces (126, 128), trimmed and bounded
 //! surfaces (141 to 144), with their matrices (124). Entities that are only part of others are read where these use them.
+//! A seam, which a loop of the format has as two curves, is one edge that is passed twice, as STEP has it.
 
+mod own_borders;
 mod records;
+mod seams;
 
 use super::error::{ReadError, ReadResult, at, refused};
 use super::imported::{Imported, PassedOver};
@@ -15,6 +18,7 @@ use super::{
     SurfaceFrame, SurfaceShape, check_unit,
 };
 use records::{Entity, File, parse};
+use seams::seams;
 use std::cell::Cell;
 use torse_algebra::Rational;
 use torse_algebra::rational::ratio;
@@ -42,6 +46,9 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
         .global
         .get(18)
         .and_then(|text| super::decimal::decimal(text));
+    let uncertainty = uncertainty
+        .map(|own| own.approximate() * factor.approximate())
+        .filter(|own| *own > 0.0);
     let reader = Reader {
         file: &file,
         map: AffineMap::stretch(&factor),
@@ -74,22 +81,11 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
         if let Some(shape) = reader.curve(entity, 0)? {
             drafts.curve(&name, entity.place(), shape.mapped(&reader.map))?;
         } else if let Some((surface, loops, border)) = reader.face(entity)? {
-            let mut drafted = Vec::new();
-            for edges in loops {
-                let mut loop_edges = Vec::new();
-                for (id, place, shape) in edges {
-                    let shape = shape.mapped(&reader.map);
-                    let index = drafts.curve(&id.to_string(), place, shape)?;
-                    drafts.mark_edge(index);
-                    loop_edges.push((index, true));
-                }
-                drafted.push(loop_edges);
-            }
             let face = ImportedFace {
                 name: String::new(),
                 place: entity.place(),
                 surface: surface.moved(&reader.map, reader.factor),
-                loops: drafted,
+                loops: reader.edges(entity, loops, uncertainty.unwrap_or(0.0), &mut drafts)?,
                 border,
                 forward: true,
             };
@@ -98,9 +94,6 @@ pub(super) fn read(text: &str, given: Option<&LengthUnit>) -> ReadResult<Importe
             passed.add_at(&kind_words(entity.kind), &entity.place());
         }
     }
-    let uncertainty = uncertainty
-        .map(|own| own.approximate() * reader.factor)
-        .filter(|own| *own > 0.0);
     drafts.finish(FileKind::Iges, uncertainty, passed)
 }
 
@@ -319,6 +312,44 @@ impl<'t> Reader<'t, '_> {
         self.curve(self.file.pointed(from, index)?, depth + 1)
     }
 
+    /// The edges of the loops of a face, in millimetres; a seam is one edge that is passed twice.
+    fn edges(
+        &self,
+        face: &Entity<'t>,
+        loops: Vec<LoopCurves>,
+        uncertainty: f64,
+        drafts: &mut Drafts,
+    ) -> ReadResult<Vec<Vec<(usize, bool)>>> {
+        let in_millimetres = |edges: LoopCurves| -> LoopCurves {
+            let moved = edges.into_iter();
+            moved
+                .map(|(id, place, shape)| (id, place, shape.mapped(&self.map)))
+                .collect()
+        };
+        let loops: Vec<LoopCurves> = loops.into_iter().map(in_millimetres).collect();
+        let shapes: Vec<&CurveShape> = loops.iter().flatten().map(|(_, _, shape)| shape).collect();
+        let partners = seams(&shapes, uncertainty).map_err(refused(&face.place()))?;
+        let mut known = Vec::with_capacity(partners.len());
+        let mut partners = partners.into_iter();
+        let mut drafted = Vec::with_capacity(loops.len());
+        for edges in loops {
+            let mut loop_edges = Vec::with_capacity(edges.len());
+            for (id, place, shape) in edges {
+                let seam = partners.next().flatten();
+                let seam = seam.and_then(|earlier| known.get(earlier).copied());
+                let edge = match seam {
+                    Some(index) => (index, false),
+                    None => (drafts.curve(&id.to_string(), place, shape)?, true),
+                };
+                drafts.mark_edge(edge.0);
+                known.push(edge.0);
+                loop_edges.push(edge);
+            }
+            drafted.push(loop_edges);
+        }
+        Ok(drafted)
+    }
+
     /// The surface that an entity is, with its borders where it has some; nothing for another kind.
     fn face(
         &self,
@@ -327,21 +358,28 @@ impl<'t> Reader<'t, '_> {
         let surface = match entity.kind {
             144 | 143 => self.file.pointed(entity, usize::from(entity.kind == 143))?,
             _ => {
-                let whole = self.surface(entity)?;
-                return Ok(whole.map(|surface| (surface, Vec::new(), FaceBorder::OwnOfSurface)));
+                let Some(shape) = self.surface(entity)? else {
+                    return Ok(None);
+                };
+                let own = self.own_borders(entity, &shape)?;
+                let (loops, border) = own.unwrap_or((Vec::new(), FaceBorder::OwnOfSurface));
+                return Ok(Some((shape, loops.into_iter().flatten().collect(), border)));
             }
         };
         let Some(shape) = self.surface(surface)? else {
             return Ok(None);
         };
-        let mut loops = Vec::new();
+        let mut loops: Vec<Option<LoopCurves>> = Vec::new();
         let mut border = FaceBorder::Unstated;
         if entity.kind == 144 {
             // The outer border, unless it is that of the surface itself, then the inner ones.
             let outer = usize::from(entity.whole(1)? != 0);
-            border = match outer {
-                0 => FaceBorder::OwnOfSurface,
-                _ => FaceBorder::Loop(0),
+            (loops, border) = match outer {
+                0 => {
+                    let own = self.own_borders(surface, &shape)?;
+                    own.unwrap_or((Vec::new(), FaceBorder::OwnOfSurface))
+                }
+                _ => (Vec::new(), FaceBorder::Loop(0)),
             };
             let inner = entity.count(2)?;
             let first = if outer == 1 { 3 } else { 4 };
