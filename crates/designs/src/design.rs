@@ -3,6 +3,7 @@
 use crate::DesignUnit;
 use crate::bending::Bending;
 use crate::covers::SurfaceCover;
+use crate::error::DesignError;
 use crate::seams::{PatchEdge, Seam};
 use std::ops::Range;
 use torse_geometry::basis::BasisShape;
@@ -344,6 +345,21 @@ impl Patch {
 }
 
 impl Design {
+    /// Returns why no piece has a name: it is that of a face that is left out, or of nothing.
+    pub(crate) fn without(&self, name: &str, known: Vec<String>) -> DesignError {
+        match self.left_out.iter().find(|face| face.name == name) {
+            Some(face) => DesignError::LeftOut {
+                name: name.to_owned(),
+                reason: face.reason.clone(),
+            },
+            None => DesignError::NoSuch {
+                what: "piece",
+                name: name.to_owned(),
+                known,
+            },
+        }
+    }
+
     /// Whether a piece is cut along a border of its own: then rails and end rulings are none of its edges, and it has no rulings.
     pub(crate) fn has_border(&self, piece: &DesignPiece) -> bool {
         let mut patches = piece.patches.iter();

@@ -71,6 +71,14 @@ pub enum DesignError {
         /// The names there are.
         known: Vec<String>,
     },
+    /// The name of a face that is there, and left out.
+    #[error("`{name}` is left out: {reason}")]
+    LeftOut {
+        /// The face.
+        name: String,
+        /// Why.
+        reason: String,
+    },
     /// A number of the command line is outside its range.
     #[error("{name} = {value} is outside {range}")]
     OutOfRange {
@@ -177,6 +185,7 @@ impl DesignError {
             | Self::Blank { .. }
             | Self::NoPatch { .. }
             | Self::NoFace { .. }
+            | Self::LeftOut { .. }
             | Self::Mark { .. } => Ending::Missed,
             Self::Exchange(_) | Self::Figure(_) => Ending::Output,
         }

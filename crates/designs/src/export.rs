@@ -107,7 +107,8 @@ impl<'d> Chosen<'d> {
     /// Returns what a demand names, or everything.
     ///
     /// # Errors
-    /// [`DesignError::NoSuch`] for a name that no piece and no surface has.
+    /// [`DesignError::NoSuch`] for a name that no piece and no surface has, [`DesignError::LeftOut`] for that of a face
+    /// without a piece.
     fn by(design: &'d Design, demand: &Demand) -> Result<Self, DesignError> {
         let mut chosen = Self::all(design);
         let Some(name) = &demand.only else {
@@ -117,11 +118,7 @@ impl<'d> Chosen<'d> {
         let surfaces = chosen.surfaces.iter().map(|surface| surface.name.clone());
         let known: Vec<String> = pieces.chain(surfaces).collect();
         if !known.contains(name) {
-            return Err(DesignError::NoSuch {
-                what: "piece",
-                name: name.clone(),
-                known,
-            });
+            return Err(design.without(name, known));
         }
         chosen.pieces.retain(|piece| piece.name == *name);
         chosen.surfaces.retain(|surface| surface.name == *name);

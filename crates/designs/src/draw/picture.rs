@@ -25,7 +25,8 @@ const PANEL: Size = Size {
 /// Draws the patches and, where the design has one, its pattern.
 ///
 /// # Errors
-/// [`DesignError::Patch`], [`DesignError::Figure`].
+/// [`DesignError::Patch`], [`DesignError::Figure`]; [`DesignError::NoSuch`] and [`DesignError::LeftOut`] for what is asked
+/// for by name and has no piece.
 pub fn picture(design: &Design, demand: &Demand) -> Result<Picture, DesignError> {
     let mut panels = vec![Panel {
         content: Content::View(view(design)?),
@@ -33,7 +34,9 @@ pub fn picture(design: &Design, demand: &Demand) -> Result<Picture, DesignError>
     }];
     // What has no pattern is seen all the same.
     let pieces = match unroll(design, demand) {
-        Err(unknown @ DesignError::NoSuch { .. }) => return Err(unknown),
+        Err(unknown @ (DesignError::NoSuch { .. } | DesignError::LeftOut { .. })) => {
+            return Err(unknown);
+        }
         pieces => pieces,
     };
     if let Ok(pieces) = pieces {

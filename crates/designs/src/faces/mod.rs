@@ -1,8 +1,12 @@
 //! A design from a file of another program: each face with rulings between two of its edges is a patch.
 
 mod around;
+mod edge_rails;
 mod loops;
 mod plane;
+mod round;
+mod runs;
+mod sectors;
 mod straight;
 
 use crate::DesignUnit;
@@ -16,6 +20,7 @@ use crate::error::DesignError;
 use around::{between_planes, has_opening_over_seam};
 use loops::sheets_with_openings;
 use plane::{plane_of_net, plane_sheet};
+use sectors::in_sectors;
 use std::path::Path;
 use straight::{is_straight, rounding_note, spline_rails};
 use torse_exchange::{FaceBorder, Imported, ImportedFace, SurfaceShape};
@@ -132,7 +137,7 @@ fn sheets_of_face(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets
             None => found,
         },
         (Err(_), SurfaceShape::Cylinder(..) | SurfaceShape::Cone(..)) => {
-            between_planes(face, imported).or(found)
+            between_planes(face, imported).or_else(|_| in_sectors(face, imported))
         }
         (Ok(sheets), SurfaceShape::Cylinder(..) | SurfaceShape::Cone(..))
             if !sheets.openings.is_empty() && has_opening_over_seam(face, imported) =>

@@ -55,8 +55,8 @@ pub struct FlatPiece {
 /// Unrolls the pieces of a design and lays them out side by side.
 ///
 /// # Errors
-/// [`DesignError::NoSuch`] for a piece that is not there, [`DesignError::OutOfRange`] for a strain or a number of
-/// rulings that makes no sense, [`DesignError::Unroll`] for a piece that has no pattern.
+/// [`DesignError::NoSuch`] for a piece that is not there, [`DesignError::LeftOut`] for a face without one,
+/// [`DesignError::OutOfRange`] for a strain or a number of rulings that makes no sense, [`DesignError::Unroll`] for a piece that has no pattern.
 ///
 /// ```
 /// use torse_designs::unroll::{Demand, unroll};
@@ -101,11 +101,7 @@ pub fn unroll(design: &Design, demand: &Demand) -> Result<Vec<FlatPiece>, Design
         let known = pieces.iter().map(|piece| piece.name.clone()).collect();
         pieces.retain(|piece| piece.name == *name);
         if pieces.is_empty() {
-            return Err(DesignError::NoSuch {
-                what: "piece",
-                name: name.clone(),
-                known,
-            });
+            return Err(design.without(name, known));
         }
     }
     let limits = &design.tolerances;

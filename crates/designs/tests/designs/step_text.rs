@@ -80,6 +80,19 @@ impl StepText {
         ))
     }
 
+    /// A hyperbola with both half axes.
+    pub fn hyperbola(&mut self, frame: usize, axes: [f64; 2]) -> usize {
+        self.entity(&format!(
+            "HYPERBOLA('',#{frame},{:?},{:?})",
+            axes[0], axes[1]
+        ))
+    }
+
+    /// A parabola with the distance of its focus.
+    pub fn parabola(&mut self, frame: usize, focus: f64) -> usize {
+        self.entity(&format!("PARABOLA('',#{frame},{focus:?})"))
+    }
+
     /// The straight edges of a polygon.
     pub fn polygon(&mut self, corners: &[[f64; 3]]) -> Vec<StepEdge> {
         let vertices: Vec<usize> = corners.iter().map(|at| self.vertex(*at)).collect();
@@ -91,27 +104,45 @@ impl StepText {
         (0..count).map(|k| (edge(k, self), true)).collect()
     }
 
-    pub fn face(&mut self, name: &str, surface: usize, loops: &[Vec<StepEdge>]) {
-        let mut bounds = Vec::new();
-        for edges in loops {
-            let mut oriented = Vec::new();
-            for (edge, forward) in edges {
-                let sense = if *forward { "T" } else { "F" };
-                let text = format!("ORIENTED_EDGE('',*,*,#{edge},.{sense}.)");
-                oriented.push(format!("#{}", self.entity(&text)));
-            }
-            let ring = self.entity(&format!("EDGE_LOOP('',({}))", oriented.join(",")));
-            bounds.push(format!(
-                "#{}",
-                self.entity(&format!("FACE_BOUND('',#{ring},.T.)"))
-            ));
+    /// The bound of a loop of edges.
+    fn bound(&mut self, edges: &[StepEdge]) -> usize {
+        let mut oriented = Vec::new();
+        for (edge, forward) in edges {
+            let sense = if *forward { "T" } else { "F" };
+            let text = format!("ORIENTED_EDGE('',*,*,#{edge},.{sense}.)");
+            oriented.push(format!("#{}", self.entity(&text)));
         }
+        let ring = self.entity(&format!("EDGE_LOOP('',({}))", oriented.join(",")));
+        self.entity(&format!("FACE_BOUND('',#{ring},.T.)"))
+    }
+
+    fn face_within(&mut self, name: &str, surface: usize, bounds: &[usize]) {
+        let bounds: Vec<String> = bounds.iter().map(|bound| format!("#{bound}")).collect();
         let text = format!(
             "ADVANCED_FACE('{name}',({}),#{surface},.T.)",
             bounds.join(",")
         );
         let face = self.entity(&text);
         self.faces.push(face);
+    }
+
+    pub fn face(&mut self, name: &str, surface: usize, loops: &[Vec<StepEdge>]) {
+        let bounds: Vec<usize> = loops.iter().map(|edges| self.bound(edges)).collect();
+        self.face_within(name, surface, &bounds);
+    }
+
+    /// A face without a seam, from a loop to a vertex.
+    pub fn face_to_vertex(
+        &mut self,
+        name: &str,
+        surface: usize,
+        edges: &[StepEdge],
+        vertex: usize,
+    ) {
+        let bound = self.bound(edges);
+        let point = self.entity(&format!("VERTEX_LOOP('',#{vertex})"));
+        let point = self.entity(&format!("FACE_BOUND('',#{point},.T.)"));
+        self.face_within(name, surface, &[bound, point]);
     }
 
     /// The whole file, in millimetres.
