@@ -132,7 +132,7 @@ impl AroundAxis {
                 border.clone()
             };
             let pieces = self.rising(&border.rails().map_err(words)?)?;
-            self.from_angle(pieces, start)
+            self.once_around(pieces, start)
         };
         match borders {
             [only] if self.surface.angle.is_some() => Ok([Some(run(only)?), None]),
@@ -145,7 +145,7 @@ impl AroundAxis {
     }
 
     /// Returns pieces once around from an angle.
-    fn from_angle(&self, pieces: Vec<Piece>, start: f64) -> Result<Vec<Piece>, String> {
+    fn once_around(&self, pieces: Vec<Piece>, start: f64) -> Result<Vec<Piece>, String> {
         let first = pieces.first().map_or(0.0, |piece| piece.from);
         let turns = ((start - first + SAME_ANGLE) / TAU).floor();
         let start = start - turns * TAU;

@@ -2,7 +2,7 @@
 //! in no plane. Areas are compared with closed formulas.
 
 use crate::step_text::{StepEdge, StepText};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use torse_designs::unroll::{Demand, parts, unroll};
 use torse_designs::{Design, DesignError, load};
 
@@ -58,7 +58,7 @@ struct Cone {
     circle: usize,
 }
 
-const HALF_ANGLE_SINE: f64 = 0.447_213_595_499_957_94;
+const HALF_ANGLE_SINE: f64 = 0.447_213_595_499_957_9;
 
 impl Cone {
     fn new() -> Self {
@@ -213,37 +213,46 @@ fn a_pipe_between_arcs_that_meet_in_two_tips_is_cut_at_the_ends_of_both() {
     check(&design(hoof()), "hoof", area);
 }
 
-/// A quarter of a cylinder of radius 20 between `z = 5 + 4 tan(a/2)` and `z = -3 - 6 tan((pi/2 - a)/2)`, where `a` is the
-/// angle: curves in no plane, whose parameters are the tangents, from opposite sides.
-#[test]
-fn a_cylinder_between_curves_in_no_plane_has_rulings_at_equal_angles() {
+/// The edge curve over a quarter of a cylinder of radius 20 with `z = start + rise tan(a/2)`, where `a` is the angle from the
+/// first axis, or from the second one if it is turned: in no plane, and its parameter `u` is the tangent. As Bezier curve of
+/// degree 3 it is `(1 - u^2, 2 u, (1 + u^2)(start + rise u))/(1 + u^2)`.
+fn tangent_curve(text: &mut StepText, start: f64, rise: f64, turned: bool) -> usize {
+    let weights = [1.0, 1.0, 4.0 / 3.0, 2.0];
+    let x = [1.0, 1.0, 2.0 / 3.0, 0.0];
+    let y = [0.0, 2.0 / 3.0, 4.0 / 3.0, 2.0];
+    let z = [
+        start,
+        start + rise / 3.0,
+        4.0 / 3.0 * start + 2.0 / 3.0 * rise,
+        2.0 * (start + rise),
+    ];
+    let points = [0, 1, 2, 3].map(|k| {
+        let [x, y, z] = [20.0 * x[k], 20.0 * y[k], z[k]].map(|c| c / weights[k]);
+        text.point(if turned { [y, x, z] } else { [x, y, z] })
+    });
+    let points = points.map(|point| format!("#{point}")).join(",");
+    let weights = weights.map(|w| format!("{w:?}")).join(",");
+    text.entity(&format!(
+        "(BOUNDED_CURVE() B_SPLINE_CURVE(3,({points}),.UNSPECIFIED.,.F.,.F.) \
+         B_SPLINE_CURVE_WITH_KNOTS((4,4),(0.,1.),.UNSPECIFIED.) CURVE() GEOMETRIC_REPRESENTATION_ITEM() \
+         RATIONAL_B_SPLINE_CURVE(({weights})) REPRESENTATION_ITEM(''))"
+    ))
+}
+
+/// A text with a cylinder of radius 20 about the third axis.
+fn cylinder() -> (StepText, usize) {
     let mut text = StepText::new();
     let frame = text.frame([0.0; 3], Z, X);
     let surface = text.entity(&format!("CYLINDRICAL_SURFACE('',#{frame},20.)"));
-    // With u the tangent of half of the angle: (1 - u^2, 2 u, (1 + u^2)(start + rise u))/(1 + u^2) as Bezier curve of degree 3.
-    let mut curve = |start: f64, rise: f64, turned: bool| {
-        let weights = [1.0, 1.0, 4.0 / 3.0, 2.0];
-        let x = [1.0, 1.0, 2.0 / 3.0, 0.0];
-        let y = [0.0, 2.0 / 3.0, 4.0 / 3.0, 2.0];
-        let z = [
-            start,
-            start + rise / 3.0,
-            4.0 / 3.0 * start + 2.0 / 3.0 * rise,
-            2.0 * (start + rise),
-        ];
-        let points = [0, 1, 2, 3].map(|k| {
-            let [x, y, z] = [20.0 * x[k], 20.0 * y[k], z[k]].map(|c| c / weights[k]);
-            text.point(if turned { [y, x, z] } else { [x, y, z] })
-        });
-        let points = points.map(|point| format!("#{point}")).join(",");
-        let weights = weights.map(|w| format!("{w:?}")).join(",");
-        text.entity(&format!(
-            "(BOUNDED_CURVE() B_SPLINE_CURVE(3,({points}),.UNSPECIFIED.,.F.,.F.) \
-             B_SPLINE_CURVE_WITH_KNOTS((4,4),(0.,1.),.UNSPECIFIED.) CURVE() GEOMETRIC_REPRESENTATION_ITEM() \
-             RATIONAL_B_SPLINE_CURVE(({weights})) REPRESENTATION_ITEM(''))"
-        ))
-    };
-    let (high, low) = (curve(5.0, 4.0, false), curve(-3.0, -6.0, true));
+    (text, surface)
+}
+
+#[test]
+fn a_cylinder_between_curves_in_no_plane_has_rulings_at_equal_angles() {
+    let (mut text, surface) = cylinder();
+    // Their parameters run from opposite sides.
+    let high = tangent_curve(&mut text, 5.0, 4.0, false);
+    let low = tangent_curve(&mut text, -3.0, -6.0, true);
     let corners = [
         [20.0, 0.0, -9.0],
         [0.0, 20.0, -3.0],
@@ -259,8 +268,24 @@ fn a_cylinder_between_curves_in_no_plane_has_rulings_at_equal_angles() {
     ];
     text.face("wall", surface, &[edges]);
     // The integral of tan(a/2) over a quarter is the logarithm of 2.
-    let area = 20.0 * ((5.0 + 3.0) * FRAC_PI_2 + (4.0 + 6.0) * std::f64::consts::LN_2);
+    let area = 20.0 * ((5.0 + 3.0) * FRAC_PI_2 + (4.0 + 6.0) * LN_2);
     check(&design(text), "wall", area);
+}
+
+#[test]
+fn curves_in_no_plane_that_meet_but_for_rounding_are_made_to_meet() {
+    let (mut text, surface) = cylinder();
+    let high = tangent_curve(&mut text, 0.0, 4.0, false);
+    let low = tangent_curve(&mut text, 1e-6, -6.0, false);
+    let corners = [[20.0, 0.0, 0.0], [0.0, 20.0, -6.0], [0.0, 20.0, 4.0]];
+    let [a, b, c] = corners.map(|at| text.vertex(at));
+    let edges = vec![
+        (text.edge([a, b], low), true),
+        (text.line([b, c], corners[1], corners[2]), true),
+        (text.edge([a, c], high), false),
+    ];
+    text.face("fin", surface, &[edges]);
+    check(&design(text), "fin", 20.0 * (4.0 + 6.0) * LN_2);
 }
 
 #[test]
