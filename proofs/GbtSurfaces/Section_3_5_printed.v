@@ -393,7 +393,7 @@ End prop_3_7_2b.
 
 Module alg_5_a.
 (* gbt-surfaces/alg-5.a, Sect. 3.5, Algorithm 5, steps 1 to 4
-   printed: 1. Consider a SC which sweeps to the trajectory curve (both GBT-Bézier curves). 2. Construct by using (30). 3. Follow the pattern Q̂_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n), where Q_{k,m}, Q_{l,n} are the control points of section and TCs. 4. Draw with different values of μ, ν in [-1, 1].
+   printed: 1. Consider a SC which sweeps to the trajectory curve (both GBT-Bézier curves). 2. Construct by using (30). 3. Follow the pattern Q̂_{k,l} = Q_{k,m} + Q_{l,n} (k = 0, 1, ..., m; l = 0, 1, ..., n) and take the control points of GBT-Bézier swept surface where Q_{k,m}, Q_{l,n} are the control points of section and TCs. 4. Draw with different values of μ, ν in [-1, 1].
    read as: The pattern of step 3 gives the swept surface.
    stated: sum(k, 0, m, sum(l, 0, n, f[k,m](z, mu, nu)*f[l,n](z1, mu1, nu1)*(A[k] + B[l]))) == T(z, z1) *)
 Definition statement : Prop :=

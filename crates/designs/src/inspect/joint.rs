@@ -382,10 +382,8 @@ fn objection(design: &Design, chain: &Chain, report: &JointReport) -> Option<Str
         Smoothness::C(order) => report.parametric >= Some(order),
     };
     (!reached).then(|| {
-        let fold = match wanted {
-            Smoothness::G1 | Smoothness::C(1) => {
-                format!("; the sheet is folded by {:.6} degrees", report.kink)
-            }
+        let fold = match report.geometric {
+            Some(0) => format!("; the sheet is folded by {:.6} degrees", report.kink),
             _ => String::new(),
         };
         format!(

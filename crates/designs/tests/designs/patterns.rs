@@ -197,7 +197,7 @@ fn a_continuation_has_the_beta_values_that_were_asked_for() {
     assert_eq!(report.missed.len(), 2, "{:?}", report.missed);
     assert!(report.missed[1].starts_with("first passes through itself in space"));
     assert!(
-        report.missed[0].starts_with("the joint of a and b is G2, C0, C1 wanted"),
+        report.missed[0].starts_with("the joint of a and b is G2, C0, where C1 is wanted"),
         "{:?}",
         report.missed
     );

@@ -155,7 +155,7 @@ mod tests {
         assert!(same("w^2*a", "a*w*w"));
         assert!(!same("w^2*a", "w*a"));
         assert!(!same("a/w^2", "a/w"));
-        assert!(same("a*sqrt(4)/sqrt(1/4)", "4*a"));
+        assert!(same("a*sqrt(4)/sqrt(9)", "2*a/3"));
         assert!(same("a*sqrt(1)", "a"));
         assert!(!same("a*sqrt(2)", "a"));
     }
