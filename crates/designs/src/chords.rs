@@ -77,7 +77,7 @@ fn along(chord: &Chord, part: f64) -> [f64; 2] {
 }
 
 /// Returns the point of a chord that is nearest to this one.
-fn nearest_on(chord: &Chord, point: [f64; 2]) -> [f64; 2] {
+pub fn nearest_on(chord: &Chord, point: [f64; 2]) -> [f64; 2] {
     let [from, to] = chord;
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let square = dx * dx + dy * dy;

@@ -3,41 +3,37 @@
 //! A closed face is cut open along a ruling that no opening meets: where the file has its seam does not matter.
 
 use super::loops::opening;
-use super::round::{RoundFace, SAMPLES, Swept};
+use super::round::{PARALLEL, RoundFace, SAMPLES, Swept};
 use super::{FaceSheets, words};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use torse_exchange::{Imported, ImportedFace, SurfaceFrame};
+use torse_exchange::SurfaceFrame;
 use torse_geometry::basis::BasisShape;
 use torse_geometry::curve::EllipticHelix;
 use torse_geometry::prelude::{PiecewiseRail, Point, Rail, RailCurve, Sheet, SweptEdge};
 use torse_geometry::vector::{add, cross, dot, norm, scale, sub, unit};
 
-/// Directions of planes are one within this.
-const PARALLEL: f64 = 1e-9;
-
 /// Returns the sheets of a face between two curves that lie in planes, or why it has none.
-pub(super) fn between_planes(
-    face: &ImportedFace,
-    imported: &Imported,
-) -> Result<FaceSheets, String> {
+pub(super) fn between_planes(face: &RoundFace) -> Result<FaceSheets, String> {
     let RoundFace {
         surface,
         tolerance,
         borders,
         holes,
         ..
-    } = RoundFace::new(face, imported)?;
-    let [first, second] = <[PiecewiseRail; 2]>::try_from(borders)
-        .map_err(|all| format!("{} of its edges run around it, and not two", all.len()))?;
+    } = face;
+    let [first, second] = borders.as_slice() else {
+        let count = borders.len();
+        return Err(format!("{count} of its edges run around it, and not two"));
+    };
     let planes = [
-        surface.plane(&first, tolerance)?,
-        surface.plane(&second, tolerance)?,
+        surface.plane(first, *tolerance)?,
+        surface.plane(second, *tolerance)?,
     ];
     let start = surface.angle_of(&first.point(0.0).map_err(words)?);
-    let start = surface.free_angle(start, &holes)?;
+    let start = surface.free_angle(start, holes)?;
     let sheets = surface.sheets(start, planes)?;
-    let off = surface.check(&sheets, [&first, &second], tolerance)?;
-    let openings = holes.into_iter().enumerate();
+    let off = surface.check(&sheets, [first, second], *tolerance)?;
+    let openings = holes.iter().cloned().enumerate();
     Ok(FaceSheets {
         sheets,
         closed: true,
@@ -53,9 +49,8 @@ pub(super) fn between_planes(
 
 /// Returns whether an opening of a face that is closed around lies over the ruling at which its first edge begins: there a
 /// file cuts it open.
-pub(super) fn has_opening_over_seam(face: &ImportedFace, imported: &Imported) -> bool {
+pub(super) fn has_opening_over_seam(round: &RoundFace) -> bool {
     let moved = || -> Result<bool, String> {
-        let round = RoundFace::new(face, imported)?;
         let [first, _] = round.borders.as_slice() else {
             return Ok(false);
         };
@@ -81,13 +76,8 @@ impl Swept {
                 return Err("an edge around it lies in no plane".to_owned());
             }
         }
-        let (mut normal, centre) = found.ok_or("an edge is missing")?;
-        // Rounding of a plane across the axis.
-        if norm(&cross(&normal, &self.frame.axis)) <= PARALLEL {
-            normal = self.frame.axis;
-        }
-        let [p, q, r] = normal;
-        Ok([p, q, r, dot(&normal, &centre)])
+        let (normal, centre) = found.ok_or("an edge is missing")?;
+        Ok(self.cut(normal, &centre))
     }
 
     /// Returns the sheets once around from a ruling, between two planes: a cylinder over a circle, or four cones over quarters

@@ -1,11 +1,12 @@
 //! Pieces of edges as rails: the planes they lie in, and their control points.
 
+use super::plane::PlaneOfPoints;
 use super::words;
 use std::f64::consts::FRAC_PI_2;
 use torse_geometry::basis::BasisShape;
 use torse_geometry::curve::EllipticHelix;
 use torse_geometry::prelude::{Point, Rail, RailCurve};
-use torse_geometry::vector::{add, cross, dot, norm, scale, sub, unit};
+use torse_geometry::vector::{add, cross, scale, unit};
 
 /// Points within this share of their size of a plane are in it.
 const FLAT: f64 = 1e-9;
@@ -19,11 +20,8 @@ pub(super) fn ending(rail: &Rail, [first, last]: [Option<Point>; 2]) -> Result<R
         RailCurve::Elliptic(arc) => return ending(&quadratic(arc)?, [first, last]),
         RailCurve::Plain(curve) => (curve.points().to_vec(), None),
         RailCurve::Weighted(curve) => {
-            let (points, weights): (Vec<Point>, Vec<f64>) = curve
-                .homogeneous()
-                .map(|(point, w)| (point.map(|c| c / w), *w))
-                .unzip();
-            (points, Some(weights))
+            let weights = curve.homogeneous().map(|(_, w)| *w).collect::<Vec<f64>>();
+            (controls(curve.homogeneous()), Some(weights))
         }
     };
     if let (Some(point), Some(slot)) = (first, points.first_mut()) {
@@ -59,24 +57,23 @@ pub(super) fn quadratic(arc: &EllipticHelix) -> Result<Rail, String> {
     Rail::weighted(BasisShape::Bernstein, &points, &[1.0, cosine, 1.0]).map_err(words)
 }
 
-/// Returns the first of points, and the normal of the plane in which all of them lie but for rounding.
-pub(super) fn plane_of(points: &[Point]) -> (Point, Option<Point>) {
-    let Some(origin) = points.first().copied() else {
-        return ([0.0; 3], None);
+/// Returns a point and the normal of the plane in which a piece lies but for rounding, if it lies in one.
+pub(super) fn plane_of(rail: &Rail) -> Option<(Point, Point)> {
+    let points = match rail.curve() {
+        RailCurve::Elliptic(arc) => {
+            let [cosine, sine] = arc.axes();
+            let normal = unit(&cross(cosine, sine)).filter(|_| *arc.rise() == [0.0; 3])?;
+            return Some((*arc.centre(), normal));
+        }
+        RailCurve::Plain(curve) => curve.points().to_vec(),
+        RailCurve::Weighted(curve) => controls(curve.homogeneous()),
     };
-    let far = |p: &Point| norm(&sub(p, &origin));
-    let arm = points.iter().max_by(|a, b| far(a).total_cmp(&far(b)));
-    let arm = arm.map_or([0.0; 3], |p| sub(p, &origin));
-    let beside = |p: &Point| cross(&arm, &sub(p, &origin));
-    let widest = points
-        .iter()
-        .max_by(|a, b| norm(&beside(a)).total_cmp(&norm(&beside(b))));
-    let Some(normal) = widest.and_then(|p| unit(&beside(p))) else {
-        return (origin, None);
-    };
-    let height = points
-        .iter()
-        .map(|p| dot(&sub(p, &origin), &normal).abs())
-        .fold(0.0, f64::max);
-    (origin, (height <= FLAT * norm(&arm)).then_some(normal))
+    let plane = PlaneOfPoints::new(&points)?;
+    (plane.height <= FLAT * plane.reach).then_some((plane.frame.origin, plane.frame.axis))
+}
+
+/// Returns the control points of a curve from homogeneous ones.
+fn controls<'a>(homogeneous: impl Iterator<Item = (&'a Point, &'a f64)>) -> Vec<Point> {
+    let point = |(point, w): (&Point, &f64)| point.map(|c| c / w);
+    homogeneous.map(point).collect()
 }

@@ -20,6 +20,7 @@ use crate::error::DesignError;
 use around::{between_planes, has_opening_over_seam};
 use loops::sheets_with_openings;
 use plane::{plane_of_net, plane_sheet};
+use round::RoundFace;
 use sectors::in_sectors;
 use std::path::Path;
 use straight::{is_straight, rounding_note, spline_rails};
@@ -137,12 +138,16 @@ fn sheets_of_face(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets
             None => found,
         },
         (Err(_), SurfaceShape::Cylinder(..) | SurfaceShape::Cone(..)) => {
-            between_planes(face, imported).or_else(|_| in_sectors(face, imported))
+            let round = RoundFace::new(face, imported)?;
+            between_planes(&round).or_else(|_| in_sectors(round))
         }
         (Ok(sheets), SurfaceShape::Cylinder(..) | SurfaceShape::Cone(..))
-            if !sheets.openings.is_empty() && has_opening_over_seam(face, imported) =>
+            if !sheets.openings.is_empty() =>
         {
-            between_planes(face, imported).or(found)
+            match RoundFace::new(face, imported) {
+                Ok(round) if has_opening_over_seam(&round) => between_planes(&round).or(found),
+                _ => found,
+            }
         }
         _ => found,
     }

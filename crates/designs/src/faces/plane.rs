@@ -87,28 +87,50 @@ pub(super) fn plane_sheet(
 pub(super) fn plane_of_net(surface: &SplineSurface) -> Option<SurfaceFrame> {
     let near = |p: &[Rational; 3]| p.each_ref().map(Coordinate::approximate);
     let points: Vec<Point> = surface.net.iter().flatten().map(near).collect();
-    let origin = *points.first()?;
-    let away = |p: &Point| norm(&sub(p, &origin));
-    let far = points
-        .iter()
-        .max_by(|a, b| away(a).total_cmp(&away(b)))
-        .copied()?;
-    let across = unit(&sub(&far, &origin))?;
-    let beside = |p: &Point| cross(&across, &sub(p, &origin));
-    let widest = points
-        .iter()
-        .max_by(|a, b| norm(&beside(a)).total_cmp(&norm(&beside(b))))?;
-    let axis = unit(&beside(widest))?;
-    let height = points
-        .iter()
-        .map(|p| dot(&sub(p, &origin), &axis).abs())
-        .fold(0.0, f64::max);
-    let size = away(&far) + norm(&origin);
-    (height <= FLAT * size).then_some(SurfaceFrame {
-        origin,
-        axis,
-        across,
-    })
+    let plane = PlaneOfPoints::new(&points)?;
+    let size = plane.reach + norm(&plane.frame.origin);
+    (plane.height <= FLAT * size).then_some(plane.frame)
+}
+
+/// A plane through the first of points, the farthest from it, and the one farthest from the line of both.
+pub(super) struct PlaneOfPoints {
+    /// The first point, the normal, and the way to the farthest point.
+    pub frame: SurfaceFrame,
+    /// The largest distance of a point from the plane.
+    pub height: f64,
+    /// The largest distance of a point from the first.
+    pub reach: f64,
+}
+
+impl PlaneOfPoints {
+    /// Returns the plane, if the points are not all in one line.
+    pub(super) fn new(points: &[Point]) -> Option<Self> {
+        let origin = *points.first()?;
+        let away = |p: &Point| norm(&sub(p, &origin));
+        let far = points
+            .iter()
+            .max_by(|a, b| away(a).total_cmp(&away(b)))
+            .copied()?;
+        let across = unit(&sub(&far, &origin))?;
+        let beside = |p: &Point| cross(&across, &sub(p, &origin));
+        let widest = points
+            .iter()
+            .max_by(|a, b| norm(&beside(a)).total_cmp(&norm(&beside(b))))?;
+        let axis = unit(&beside(widest))?;
+        let height = points
+            .iter()
+            .map(|p| dot(&sub(p, &origin), &axis).abs())
+            .fold(0.0, f64::max);
+        Some(Self {
+            frame: SurfaceFrame {
+                origin,
+                axis,
+                across,
+            },
+            height,
+            reach: away(&far),
+        })
+    }
 }
 
 /// Returns points of a closed curve, by the axes of its plane.

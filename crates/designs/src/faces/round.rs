@@ -8,6 +8,8 @@ use torse_geometry::vector::{add, cross, dot, norm, scale, sub};
 
 /// Points of each piece of a curve at which it is looked at.
 pub(super) const SAMPLES: u32 = 64;
+/// Directions of planes are one within this.
+pub(super) const PARALLEL: f64 = 1e-9;
 /// The room about an opening that the ruling along which a face is cut open keeps, as an angle.
 const ROOM: f64 = 1e-3;
 
@@ -227,6 +229,14 @@ impl Swept {
             return Err("its openings leave no ruling along which it could be cut open".to_owned());
         }
         Ok(start + best.1)
+    }
+
+    /// Returns the plane `n . X = e` through a point; the normal of one that is across the axis but for rounding is the axis.
+    pub(super) fn cut(&self, normal: Point, point: &Point) -> [f64; 4] {
+        let across = norm(&cross(&normal, &self.frame.axis)) <= PARALLEL;
+        let normal = if across { self.frame.axis } else { normal };
+        let [p, q, r] = normal;
+        [p, q, r, dot(&normal, point)]
     }
 
     /// Returns where a cone is as wide as its own radius, or one, if that is its apex: the centre and the radius there.

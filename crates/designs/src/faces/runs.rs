@@ -216,7 +216,7 @@ impl AroundAxis {
         ways.collect()
     }
 
-    /// Returns the pieces cut at angles, wherever these are no ends of pieces.
+    /// Returns the pieces, each cut at the angles inside of it.
     pub(super) fn cut(&self, pieces: Vec<Piece>, angles: &[f64]) -> Result<Vec<Piece>, String> {
         let mut all = Vec::with_capacity(pieces.len() + angles.len());
         for piece in pieces {

@@ -11,14 +11,11 @@ use super::round::RoundFace;
 use super::runs::{AroundAxis, Piece, Runs, SAME_ANGLE, near_first};
 use super::{FaceSheets, words};
 use std::f64::consts::{FRAC_PI_2, TAU};
-use torse_exchange::{Imported, ImportedFace};
 use torse_geometry::prelude::{
     Construction, PiecewiseRail, Point, Rail, RailCurve, Sheet, SweptEdge,
 };
-use torse_geometry::vector::{cross, dot, norm, sub, unit};
+use torse_geometry::vector::{cross, norm, sub};
 
-/// Directions of planes are one within this.
-const PARALLEL: f64 = 1e-9;
 /// An edge and a ruling between which the sine of the angle is smaller touch each other.
 const TOUCHING: f64 = 1e-3;
 /// The angle about the axis between the ends of a line that is a ruling, at most: the tangent plane turns by as much along
@@ -32,14 +29,14 @@ const MAX_SECTORS: usize = 4096;
 const RULINGS: u32 = 9;
 
 /// Returns the sheets of a face between two runs of edges, or between one and the apex of its cone; or why it has none.
-pub(super) fn in_sectors(face: &ImportedFace, imported: &Imported) -> Result<FaceSheets, String> {
+pub(super) fn in_sectors(face: RoundFace) -> Result<FaceSheets, String> {
     let RoundFace {
         surface,
         tolerance,
         borders,
         mut holes,
         seam,
-    } = RoundFace::new(face, imported)?;
+    } = face;
     let about = AroundAxis { surface, tolerance };
     let closed = !borders.is_empty();
     let runs = if closed {
@@ -257,31 +254,8 @@ impl AroundAxis {
 
     /// Returns the plane `n . X = e` of a piece, if it lies in one; moved through the point in which it meets the other edge.
     fn plane(&self, rail: &Rail, tip: Option<Point>) -> Result<Option<[f64; 4]>, String> {
-        let (origin, normal) = match rail.curve() {
-            RailCurve::Elliptic(arc) => {
-                let [cosine, sine] = arc.axes();
-                let normal = unit(&cross(cosine, sine)).filter(|_| *arc.rise() == [0.0; 3]);
-                (*arc.centre(), normal)
-            }
-            RailCurve::Plain(curve) => plane_of(curve.points()),
-            RailCurve::Weighted(curve) => {
-                let points: Vec<Point> = curve
-                    .homogeneous()
-                    .map(|(point, w)| point.map(|c| c / w))
-                    .collect();
-                plane_of(&points)
-            }
-        };
-        let Some(mut normal) = normal else {
-            return Ok(None);
-        };
-        let axis = self.surface.frame.axis;
-        // Rounding of a plane across the axis.
-        if norm(&cross(&normal, &axis)) <= PARALLEL {
-            normal = axis;
-        }
-        let [p, q, r] = normal;
-        Ok(Some([p, q, r, dot(&normal, &tip.unwrap_or(origin))]))
+        let plane = plane_of(rail);
+        Ok(plane.map(|(origin, normal)| self.surface.cut(normal, &tip.unwrap_or(origin))))
     }
 
     /// Returns how far a sheet is from the surface, and its second edge from the piece that is meant, at some rulings.

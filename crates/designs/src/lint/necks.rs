@@ -4,6 +4,7 @@
 //! made smaller by going a little way along the contour, at either of the two points.
 
 use super::pairs::{Chord, for_pairs};
+use crate::chords::nearest_on;
 use std::collections::BTreeMap;
 
 /// Directions are orthogonal where their cosine is no larger.
@@ -48,11 +49,12 @@ pub(super) fn necks(chords: &[Chord], least: f64, within: f64) -> Option<BTreeMa
 
 /// Returns the distance of two chords, and the points of both where it is: the middle of these where there are several.
 fn closest(a: &Chord, b: &Chord) -> (f64, [[f64; 2]; 2]) {
+    let [first, second] = [a, b].map(|chord| [chord.from, chord.to]);
     let candidates = [
-        [a.from, foot(b, a.from)],
-        [a.to, foot(b, a.to)],
-        [foot(a, b.from), b.from],
-        [foot(a, b.to), b.to],
+        [a.from, nearest_on(&second, a.from)],
+        [a.to, nearest_on(&second, a.to)],
+        [nearest_on(&first, b.from), b.from],
+        [nearest_on(&first, b.to), b.to],
     ];
     let gap = |[p, q]: &[[f64; 2]; 2]| libm::hypot(q[0] - p[0], q[1] - p[1]);
     let least = candidates.iter().map(gap).fold(f64::INFINITY, f64::min);
@@ -68,17 +70,6 @@ fn closest(a: &Chord, b: &Chord) -> (f64, [[f64; 2]; 2]) {
         }
     }
     (least, sum.map(|point| point.map(|c| c / count)))
-}
-
-/// Returns the point of a chord that is nearest to another.
-fn foot(chord: &Chord, [x, y]: [f64; 2]) -> [f64; 2] {
-    let way = [0, 1].map(|i| chord.to[i] - chord.from[i]);
-    let square = way[0] * way[0] + way[1] * way[1];
-    if square == 0.0 {
-        return chord.from;
-    }
-    let share = ((x - chord.from[0]) * way[0] + (y - chord.from[1]) * way[1]) / square;
-    [0, 1].map(|i| chord.from[i] + share.clamp(0.0, 1.0) * way[i])
 }
 
 /// Returns whether a point of a chord comes no nearer to another point where it goes on to the next chord of its contour.

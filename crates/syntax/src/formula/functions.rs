@@ -45,7 +45,7 @@ pub const ELEMENTARY: [&str; 12] = [
     "sqrt", "sin", "cos", "tan", "exp", "log", "atan", "asin", "acos", "sinh", "cosh", "tanh",
 ];
 
-/// Those that are no functions of values: they bind an index or a variable, or make a statement.
+/// The names of forms, which bind an index or a variable or make a statement; the other names are those of functions of values.
 pub const FORMS: [&str; 10] = [
     "sum",
     "product",

@@ -46,6 +46,14 @@ fn collect_terms(expr: &Expr, factor: &Rational, into: &mut Vec<(Rational, Strin
 }
 
 fn collect_factors(expr: &Expr, inverted: bool, number: &mut Rational, into: &mut Vec<String>) {
+    if let Some(value) = nonzero_number(expr) {
+        *number = if inverted {
+            &*number / &value
+        } else {
+            &*number * &value
+        };
+        return;
+    }
     let mark = if inverted { "/" } else { "" };
     match &expr.node {
         Node::Binary(Operator::Multiply, a, b) => {
@@ -59,21 +67,6 @@ fn collect_factors(expr: &Expr, inverted: bool, number: &mut Rational, into: &mu
         Node::Negative(inner) => {
             *number = -number.clone();
             collect_factors(inner, inverted, number, into);
-        }
-        Node::Number { value, .. } if !num_traits::Zero::is_zero(value) => {
-            *number = if inverted {
-                &*number / value
-            } else {
-                &*number * value
-            };
-        }
-        Node::Call(head, arguments) if root_of_number(head, arguments).is_some() => {
-            let root = root_of_number(head, arguments).unwrap_or_else(|| integer(1));
-            *number = if inverted {
-                &*number / &root
-            } else {
-                &*number * &root
-            };
         }
         Node::Binary(Operator::Add | Operator::Subtract, ..) => {
             // The sign of a sum that is a factor is pulled out, so that a - b and -(b - a) agree.
@@ -108,17 +101,22 @@ fn collect_factors(expr: &Expr, inverted: bool, number: &mut Rational, into: &mu
     }
 }
 
-/// The rational number that `sqrt` of a positive number is, if it is one.
-fn root_of_number(head: &Expr, arguments: &[Expr]) -> Option<Rational> {
-    let [argument] = arguments else { return None };
-    let (Node::Name(name), Node::Number { value, .. }) = (&head.node, &argument.node) else {
-        return None;
+/// The value of a number that is not zero, or of the root of one if that is rational.
+fn nonzero_number(expr: &Expr) -> Option<Rational> {
+    let value = match &expr.node {
+        Node::Number { value, .. } => value.clone(),
+        Node::Call(head, arguments) => match (&head.node, arguments.as_slice()) {
+            (Node::Name(name), [argument]) if name == "sqrt" => {
+                let Node::Number { value, .. } = &argument.node else {
+                    return None;
+                };
+                Polynomial::square_root(value).ok()?.as_constant()?
+            }
+            _ => return None,
+        },
+        _ => return None,
     };
-    if name != "sqrt" {
-        return None;
-    }
-    let root = Polynomial::square_root(value).ok()?.as_constant()?;
-    (!num_traits::Zero::is_zero(&root)).then_some(root)
+    (!num_traits::Zero::is_zero(&value)).then_some(value)
 }
 
 /// A small whole exponent.
